@@ -1,0 +1,86 @@
+#include "vtkTranslucencyBuffer.h"
+
+#include "vtkTranslucencyVTKVersion.h"
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyBuffer::Reserve(vtkTypeInt64 bytes)
+{
+  if (bytes <= this->Bytes)
+  {
+    return true;
+  }
+  if (this->Handle == 0)
+  {
+    glGenBuffers(1, &this->Handle);
+  }
+  while (glGetError() != GL_NO_ERROR)
+  {
+    // an older error is not this allocation's
+  }
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
+  glBufferData(
+    GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Release();
+    return false;
+  }
+  this->Bytes = bytes;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyBuffer::Upload(const void* data, vtkTypeInt64 bytes)
+{
+  if (!this->Reserve(bytes))
+  {
+    return false;
+  }
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
+  glBufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::Clear(vtkTypeInt64 bytes, vtkTypeInt64 offset)
+{
+  const GLuint zero = 0;
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
+  glClearBufferSubData(GL_COPY_WRITE_BUFFER, GL_R32UI, static_cast<GLintptr>(offset),
+    static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::Download(void* data, vtkTypeInt64 bytes) const
+{
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_COPY_READ_BUFFER, this->Handle);
+  glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+  glBindBuffer(GL_COPY_READ_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::BindStorage(unsigned int index) const
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, this->Handle);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::BindUniform(unsigned int index) const
+{
+  glBindBufferBase(GL_UNIFORM_BUFFER, index, this->Handle);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::Release(bool contextAlive)
+{
+  if (this->Handle != 0 && contextAlive)
+  {
+    glDeleteBuffers(1, &this->Handle);
+  }
+  this->Handle = 0;
+  this->Bytes = 0;
+}

@@ -1,0 +1,44 @@
+/**
+ * A buffer object of OpenGL for shaders to read and write. It belongs to the context in which it was allocated and must
+ * be released while that context is current; vtkOpenGLBufferObject knows no storage and no uniform buffers.
+ */
+#ifndef vtkTranslucencyBuffer_h
+#define vtkTranslucencyBuffer_h
+
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkType.h"
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyBuffer
+{
+public:
+  vtkTranslucencyBuffer() = default;
+  vtkTranslucencyBuffer(const vtkTranslucencyBuffer&) = delete;
+  vtkTranslucencyBuffer& operator=(const vtkTranslucencyBuffer&) = delete;
+
+  /// Makes the buffer at least this large; what it held is lost if it grows. False if there is no memory for it.
+  bool Reserve(vtkTypeInt64 bytes);
+
+  /// Copies bytes from the start, growing the buffer if needed; false if there is no memory for it.
+  bool Upload(const void* data, vtkTypeInt64 bytes);
+
+  /// Sets bytes to 0, from the start or from an offset on.
+  void Clear(vtkTypeInt64 bytes, vtkTypeInt64 offset = 0);
+
+  /// Copies bytes back from the start; waits for the commands that write them.
+  void Download(void* data, vtkTypeInt64 bytes) const;
+
+  void BindStorage(unsigned int index) const;
+  void BindUniform(unsigned int index) const;
+
+  /// Bytes as allocated.
+  vtkTypeInt64 GetBytes() const { return this->Bytes; }
+
+  /// Deletes the buffer; where its context is gone it is only forgotten.
+  void Release(bool contextAlive = true);
+
+private:
+  unsigned int Handle = 0;
+  vtkTypeInt64 Bytes = 0;
+};
+
+#endif

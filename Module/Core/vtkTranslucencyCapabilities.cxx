@@ -1,0 +1,71 @@
+#include "vtkTranslucencyCapabilities.h"
+
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+#include <set>
+
+namespace
+{
+std::set<std::string> Extensions()
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  std::set<std::string> names;
+  for (GLint i = 0; i < count; ++i)
+  {
+    names.insert(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))));
+  }
+  return names;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow* window)
+{
+  vtkTranslucencyCapabilities result;
+  result.Renderer = window->GetState()->GetRenderer();
+
+  const std::set<std::string> extensions = Extensions();
+  for (const char* needed :
+    { "GL_ARB_shader_storage_buffer_object", "GL_ARB_shader_image_load_store",
+      "GL_ARB_shading_language_420pack", "GL_ARB_shading_language_packing",
+      "GL_ARB_shader_bit_encoding", "GL_ARB_clear_buffer_object" })
+  {
+    if (extensions.count(needed) == 0)
+    {
+      result.MissingForStorage += (result.MissingForStorage.empty() ? "" : ", ") + std::string(needed);
+    }
+  }
+  if (result.MissingForStorage.empty())
+  {
+    GLint64 bytes = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    result.MaximumBlockBytes = bytes;
+
+    GLint blocks = 0;
+    glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    if (blocks < 4)
+    {
+      result.MissingForStorage = "storage blocks in fragment shaders (4 are needed, the driver has " +
+        std::to_string(blocks) + ")";
+    }
+  }
+
+  result.KeepsDrawOrder = result.Renderer.find("llvmpipe") != std::string::npos ||
+    result.Renderer.find("softpipe") != std::string::npos;
+
+  GLint kib[4] = { 0, 0, 0, 0 };
+  if (extensions.count("GL_NVX_gpu_memory_info"))
+  {
+    glGetIntegerv(0x9048, kib); // GL_GPU_MEMORY_INFO_TOTAL_AVAILABLE_MEMORY_NVX
+  }
+  else if (extensions.count("GL_ATI_meminfo"))
+  {
+    glGetIntegerv(0x87FB, kib); // GL_VBO_FREE_MEMORY_ATI: free memory of the pool first
+  }
+  result.ReportedMemoryMiB = kib[0] / 1024.0;
+  return result;
+}

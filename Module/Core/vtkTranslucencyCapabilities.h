@@ -1,0 +1,37 @@
+/**
+ * What the driver behind a render window can do, probed once for each window. Extensions are tested, not versions:
+ * a driver that reports OpenGL 3.3 may still offer storage buffers, and one that reports 4.3 may have them switched off.
+ */
+#ifndef vtkTranslucencyCapabilities_h
+#define vtkTranslucencyCapabilities_h
+
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkType.h"
+
+#include <string>
+
+class vtkOpenGLRenderWindow;
+
+struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
+{
+  /// What fragment storage needs and the driver lacks, as extension names separated by ", "; empty if nothing.
+  std::string MissingForStorage;
+
+  /// True if fragments of one pixel reach their shader's side effects in the order in which they were drawn. Software
+  /// rasterizers bin primitives into tiles and shade each tile in order by one thread; GPUs do not promise it.
+  bool KeepsDrawOrder = false;
+
+  /// The largest storage block that a shader may see (GL_MAX_SHADER_STORAGE_BLOCK_SIZE), in bytes.
+  vtkTypeInt64 MaximumBlockBytes = 0;
+
+  /// Graphics memory as the driver reports it (NVX_gpu_memory_info, ATI_meminfo), in MiB; 0 if it does not.
+  double ReportedMemoryMiB = 0;
+
+  /// The driver's own words, GL_RENDERER.
+  std::string Renderer;
+
+  /// Probes the window's context, which must be current.
+  static vtkTranslucencyCapabilities Probe(vtkOpenGLRenderWindow* window);
+};
+
+#endif

@@ -1,0 +1,406 @@
+#include "vtkTranslucencyFrame.h"
+
+#include "Common/Bindings.glsl"
+#include "vtkFragmentStorage.h"
+#include "vtkTranslucencyGLState.h"
+#include "vtkTranslucencyInternals.h"
+#include "vtkTranslucencyShader.h"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <chrono>
+
+// Adds a scope's time to a sum, if asked to. Waits for the GPU at both ends: timer queries are not kept in order with the
+// drawing by every driver.
+class vtkTranslucencyFrame::ScopedTimer
+{
+public:
+  ScopedTimer(bool wanted, double& milliseconds)
+    : Milliseconds(wanted ? &milliseconds : nullptr)
+  {
+    if (this->Milliseconds)
+    {
+      glFinish();
+      this->Start = Clock::now();
+    }
+  }
+  ~ScopedTimer()
+  {
+    if (this->Milliseconds)
+    {
+      glFinish();
+      const std::chrono::duration<double, std::milli> passed = Clock::now() - this->Start;
+      *this->Milliseconds = std::max(0.0, *this->Milliseconds) + passed.count();
+    }
+  }
+  ScopedTimer(const ScopedTimer&) = delete;
+  ScopedTimer& operator=(const ScopedTimer&) = delete;
+
+private:
+  using Clock = std::chrono::steady_clock;
+  double* Milliseconds;
+  Clock::time_point Start;
+};
+
+namespace
+{
+using Rectangle = vtkTranslucencyFrame::Rectangle;
+
+Rectangle Intersect(const Rectangle& a, const Rectangle& b)
+{
+  const int x = std::max(a[0], b[0]);
+  const int y = std::max(a[1], b[1]);
+  return { { x, y, std::max(0, std::min(a[0] + a[2], b[0] + b[2]) - x),
+    std::max(0, std::min(a[1] + a[3], b[1] + b[3]) - y) } };
+}
+
+constexpr vtkTypeInt64 StatisticsBytes = sizeof(unsigned int) * 4;
+
+// What a shader is made from, as one string.
+std::string Key(const std::string& name, const std::map<std::string, std::string>& defines,
+  const std::map<std::string, std::string>& offered)
+{
+  std::string key = name;
+  for (const auto* list : { &defines, &offered })
+  {
+    for (const auto& define : *list)
+    {
+      key += " " + define.first + "=" + define.second;
+    }
+  }
+  return key;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkRenderState* state,
+  vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found)
+  : Pass(pass)
+  , State(state)
+  , Window(window)
+  , Viewport(found.GetViewport())
+  , Drawn(Intersect(found.GetViewport(), found.GetScissor()))
+  , Tile(this->Drawn)
+  , LastFragments(pass->Internal->PlanFragments)
+{
+  vtkTranslucencyPass::Internals& kept = *pass->Internal;
+  if (kept.Viewport != this->Drawn)
+  {
+    kept.Viewport = this->Drawn;
+    kept.Plan.clear();
+  }
+  this->Waiting = kept.Plan;
+  if (this->Waiting.empty())
+  {
+    this->Waiting.push_back(this->Drawn);
+  }
+  kept.Plan.clear();
+  kept.PlanFragments = 0;
+  kept.OpaqueDepthCaptured = false;
+  kept.GatherTime = -1;
+  kept.ResolveTime = -1;
+
+  kept.StatisticsBlock.Reserve(StatisticsBytes);
+  kept.StatisticsBlock.Clear(StatisticsBytes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::Fail(const std::string& error)
+{
+  this->Error = error;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::NextTile()
+{
+  if (this->Waiting.empty())
+  {
+    return false;
+  }
+  this->Tile = this->Waiting.back();
+  this->Waiting.pop_back();
+  return this->Tile[2] > 0 && this->Tile[3] > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::CutTile(int parts)
+{
+  // Strips of rows while there are enough rows: neighbours in memory stay together. Then pieces of a row.
+  const int axis = this->Tile[3] > 1 ? 1 : 0;
+  const int length = this->Tile[2 + axis];
+  parts = std::min(parts, length);
+  for (int part = parts - 1; part >= 0; --part)
+  {
+    const int from = static_cast<int>(static_cast<vtkTypeInt64>(length) * part / parts);
+    const int to = static_cast<int>(static_cast<vtkTypeInt64>(length) * (part + 1) / parts);
+    Rectangle piece = this->Tile;
+    piece[axis] += from;
+    piece[2 + axis] = to - from;
+    this->Waiting.push_back(piece);
+  }
+  this->Tile = this->Waiting.back();
+  this->Waiting.pop_back();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::UseTile()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  const std::array<Rectangle, 2> block{ { this->Tile, this->Viewport } };
+  kept.FrameBlock.Upload(block.data(), sizeof(block));
+  kept.FrameBlock.BindUniform(UNIFORM_BINDING_FRAME);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(this->Tile[0], this->Tile[1], this->Tile[2], this->Tile[3]);
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() const
+{
+  std::map<std::string, std::string> offered;
+  if (this->Storage)
+  {
+    offered = this->Storage->GetDefines();
+  }
+  offered["FRAGMENT_ORDER"] = this->Pass->Internal->Capabilities.KeepsDrawOrder
+    ? "FRAGMENT_ORDER_DRAWN"
+    : "FRAGMENT_ORDER_CONTENT";
+  return offered;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::PrepareGather()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  const std::string obstacle = this->Storage->GetObstacle(this->Drawn, kept.Capabilities);
+  if (!obstacle.empty())
+  {
+    return this->Fail(obstacle);
+  }
+  const std::string key = Key(this->Storage->GetShaderName(), {}, this->GetOfferedDefines());
+  if (key == kept.GatherKey)
+  {
+    return true;
+  }
+  vtkTranslucencyShader shader;
+  if (!shader.Assemble(
+        "Common/Gather.glsl", {}, this->GetOfferedDefines(), this->Storage->GetShaderName()) ||
+    !shader.Validate("void main() { gatherFragment(vec4(1.0), 0.5); }\n"))
+  {
+    return this->Fail(shader.GetError());
+  }
+  kept.GatherKey = key;
+  kept.GatherText = shader.GetText();
+  kept.GatherTextTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::UseWholeViewportIfItFits()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  if (this->Waiting.size() > 0 && kept.Plan.empty() &&
+    this->Storage->Fits(this->LastFragments, this->Drawn, kept.Capabilities))
+  {
+    this->Waiting.clear();
+    this->Tile = this->Drawn;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::DrawGeometry()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_MULTISAMPLE); // one fragment a pixel and primitive, at the pixel's centre
+
+  this->Pass->PreRender(this->State);
+  kept.Gathering = true;
+  this->Pass->TranslucentPass->Render(this->State);
+  kept.Gathering = false;
+  this->Pass->PostRender(this->State);
+  if (kept.OpaqueDepthCaptured)
+  {
+    kept.OpaqueDepth->Deactivate();
+  }
+  kept.Statistics->SetGeometryPasses(kept.Statistics->GetGeometryPasses() + 1);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
+{
+  using Outcome = vtkFragmentStorage::Outcome;
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  this->Storage = storage;
+  if (!this->PrepareGather())
+  {
+    return false;
+  }
+  this->UseWholeViewportIfItFits();
+  for (;;)
+  {
+    Outcome outcome = storage->Begin(this->Tile, kept.Capabilities);
+    if (outcome == Outcome::Complete)
+    {
+      this->UseTile();
+      kept.GatherError.clear();
+      this->DrawGeometry();
+      if (!kept.GatherError.empty())
+      {
+        return this->Fail(kept.GatherError);
+      }
+      outcome = storage->End();
+    }
+    switch (outcome)
+    {
+      case Outcome::Complete:
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        kept.PlanFragments += storage->GetFragments();
+        kept.Plan.insert(kept.Plan.begin(), this->Tile); // the last drawn comes first: see Waiting
+        return true;
+      case Outcome::Grown:
+        break;
+      case Outcome::TooLarge:
+      case Outcome::OutOfMemory:
+        if (this->Tile[2] * this->Tile[3] == 1)
+        {
+          return this->Fail("the driver has no memory for the " +
+            std::to_string(storage->GetFragments()) + " fragments of one pixel");
+        }
+        this->CutTile(outcome == Outcome::TooLarge ? storage->GetPartsNeeded() : 2);
+        break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTranslucencyFrame::PrepareResolve(
+  const std::string& file, const Defines& defines)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
+  const std::string storage = this->Storage ? this->Storage->GetShaderName() : "";
+  const std::string key = Key(file + " " + storage, defines, this->GetOfferedDefines());
+  const auto found = kept.Programs.find(key);
+  if (found != kept.Programs.end())
+  {
+    return cache->ReadyShaderProgram(found->second);
+  }
+  vtkTranslucencyShader fragment;
+  vtkTranslucencyShader vertex;
+  for (bool ready : { fragment.Assemble(file, defines, this->GetOfferedDefines(), storage),
+         vertex.Assemble("Common/ResolveSquares.glsl", {}, this->GetOfferedDefines(), storage), fragment.Validate(""),
+         vertex.Validate("", vtkShader::Vertex) })
+  {
+    if (!ready)
+    {
+      this->Fail(fragment.GetError() + vertex.GetError());
+      return nullptr;
+    }
+  }
+  const std::string head =
+    "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
+  vtkShaderProgram* program = cache->ReadyShaderProgram(
+    (head + vertex.GetText()).c_str(), (head + fragment.GetText()).c_str(), "");
+  if (!program)
+  {
+    this->Fail("shader " + file + " does not link");
+    return nullptr;
+  }
+  kept.Programs[key] = program;
+  return program;
+}
+
+//------------------------------------------------------------------------------
+int vtkTranslucencyFrame::GetSquareCount() const
+{
+  const auto across = [](int pixels) { return (pixels + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE; };
+  return across(this->Tile[2]) * across(this->Tile[3]);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::Resolve(
+  const std::string& file, const Defines& defines, const Squares& squares, const Uniforms& uniforms)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  vtkShaderProgram* program = this->PrepareResolve(file, defines);
+  if (!program)
+  {
+    return false;
+  }
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
+  this->UseTile();
+  if (squares.Level == 0)
+  {
+    const vtkTypeInt64 bytes = static_cast<vtkTypeInt64>(sizeof(unsigned int)) * this->GetSquareCount();
+    if (!kept.StatisticsBlock.Reserve(StatisticsBytes + bytes))
+    {
+      return this->Fail("the driver has no memory for the resolve");
+    }
+    constexpr vtkTypeInt64 highestLevel = sizeof(unsigned int) * 2;
+    kept.StatisticsBlock.Clear(StatisticsBytes + bytes - highestLevel, highestLevel);
+  }
+  kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
+  program->SetUniformi("resolveLevel", squares.Level);
+  program->SetUniformi("resolveFewer", squares.Fewer);
+  program->SetUniformi("resolveMost", squares.Most);
+  for (const auto& uniform : uniforms)
+  {
+    program->SetUniformi(uniform.first.c_str(), uniform.second);
+  }
+
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (kept.VertexArray == 0)
+  {
+    glGenVertexArrays(1, &kept.VertexArray);
+  }
+  glBindVertexArray(kept.VertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 6 * this->GetSquareCount());
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkTranslucencyFrame::GetHighestLevel()
+{
+  return static_cast<int>(this->Pass->Internal->DownloadStatistics().HighestLevel);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTranslucencyFrame::GetDeepestPixel()
+{
+  return this->Pass->Internal->DownloadStatistics().DeepestPixel;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::Blend()
+{
+  this->UseTile();
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->Pass->TranslucentPass->Render(this->State);
+}

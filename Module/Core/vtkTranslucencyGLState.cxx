@@ -1,0 +1,123 @@
+#include "vtkTranslucencyGLState.h"
+
+#include "Common/Bindings.glsl"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+
+//------------------------------------------------------------------------------
+vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window)
+  : Window(window)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport.data());
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, this->Scissor.data());
+  state->GetBlendFuncState(this->BlendFunction.data());
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->BlendEquation[0]);
+  glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->BlendEquation[1]);
+  state->vtkglGetBooleanv(GL_COLOR_WRITEMASK, this->ColorMask.data());
+  state->vtkglGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
+  glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
+  glGetIntegerv(GL_CURRENT_PROGRAM, &this->Program);
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
+  for (unsigned int capability :
+    { GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_MULTISAMPLE })
+  {
+    this->Enabled.emplace_back(capability, state->GetEnumState(capability));
+  }
+
+  const std::pair<unsigned int, unsigned int> targets[] = {
+    { GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING },
+    { GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING }, { GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING },
+    { GL_COPY_READ_BUFFER, GL_COPY_READ_BUFFER }, // these two are asked for by their own names
+    { GL_COPY_WRITE_BUFFER, GL_COPY_WRITE_BUFFER }
+  };
+  for (const auto& target : targets)
+  {
+    int buffer = 0;
+    glGetIntegerv(target.second, &buffer);
+    this->Buffers.emplace_back(target.first, buffer);
+  }
+  const auto saveIndexed = [this](unsigned int target, unsigned int binding, unsigned int start,
+                             unsigned int size, unsigned int count) {
+    for (unsigned int index = 0; index < count; ++index)
+    {
+      BufferBinding saved{ target, index, 0, 0, 0 };
+      GLint64 value = 0;
+      glGetIntegeri_v(binding, index, &saved.Buffer);
+      glGetInteger64i_v(start, index, &value);
+      saved.Start = value;
+      glGetInteger64i_v(size, index, &value);
+      saved.Size = value;
+      this->IndexedBuffers.push_back(saved);
+    }
+  };
+  saveIndexed(GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING,
+    GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE, STORAGE_BINDINGS);
+  saveIndexed(GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START,
+    GL_UNIFORM_BUFFER_SIZE, UNIFORM_BINDINGS);
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyGLState::~vtkTranslucencyGLState()
+{
+  for (const BufferBinding& saved : this->IndexedBuffers)
+  {
+    if (saved.Size > 0)
+    {
+      glBindBufferRange(saved.Target, saved.Index, static_cast<GLuint>(saved.Buffer),
+        static_cast<GLintptr>(saved.Start), static_cast<GLsizeiptr>(saved.Size));
+    }
+    else
+    {
+      glBindBufferBase(saved.Target, saved.Index, static_cast<GLuint>(saved.Buffer));
+    }
+  }
+  for (const auto& saved : this->Buffers)
+  {
+    glBindBuffer(saved.first, static_cast<GLuint>(saved.second));
+  }
+
+  vtkOpenGLState* state = this->Window->GetState();
+  for (const auto& saved : this->Enabled)
+  {
+    state->SetEnumState(saved.first, saved.second);
+  }
+  // The cache must forget its program before ours is put back behind its back.
+  this->Window->GetShaderCache()->ReleaseCurrentShader();
+  glUseProgram(static_cast<GLuint>(this->Program));
+  glBindVertexArray(static_cast<GLuint>(this->VertexArray));
+  state->vtkglActiveTexture(static_cast<unsigned int>(this->ActiveTexture));
+  state->vtkglDepthFunc(static_cast<unsigned int>(this->DepthFunction));
+  state->vtkglDepthMask(this->DepthMask);
+  state->vtkglColorMask(
+    this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
+  state->vtkglBlendEquationSeparate(static_cast<unsigned int>(this->BlendEquation[0]),
+    static_cast<unsigned int>(this->BlendEquation[1]));
+  state->vtkglBlendFuncSeparate(static_cast<unsigned int>(this->BlendFunction[0]),
+    static_cast<unsigned int>(this->BlendFunction[1]),
+    static_cast<unsigned int>(this->BlendFunction[2]),
+    static_cast<unsigned int>(this->BlendFunction[3]));
+  state->vtkglScissor(
+    this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
+  state->vtkglViewport(
+    this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+  state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 4> vtkTranslucencyGLState::GetScissor() const
+{
+  for (const auto& saved : this->Enabled)
+  {
+    if (saved.first == GL_SCISSOR_TEST && !saved.second)
+    {
+      return this->Viewport;
+    }
+  }
+  return this->Scissor;
+}

@@ -1,0 +1,57 @@
+/**
+ * OpenGL's state as it was when this object was made comes back when it goes, whichever way the scope is left.
+ *
+ * What vtkOpenGLState caches is saved and restored through it, so that the cache stays true; the rest (shader program,
+ * vertex array, buffer bindings) is asked of OpenGL.
+ */
+#ifndef vtkTranslucencyGLState_h
+#define vtkTranslucencyGLState_h
+
+#include <array>
+#include <utility>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+class vtkTranslucencyGLState
+{
+public:
+  explicit vtkTranslucencyGLState(vtkOpenGLRenderWindow* window);
+  ~vtkTranslucencyGLState();
+
+  /// GL_VIEWPORT as it was: x, y, width, height.
+  const std::array<int, 4>& GetViewport() const { return this->Viewport; }
+
+  /// GL_SCISSOR_BOX as it was, or the viewport where the scissor test was off.
+  std::array<int, 4> GetScissor() const;
+
+  vtkTranslucencyGLState(const vtkTranslucencyGLState&) = delete;
+  vtkTranslucencyGLState& operator=(const vtkTranslucencyGLState&) = delete;
+
+private:
+  struct BufferBinding
+  {
+    unsigned int Target;
+    unsigned int Index;
+    int Buffer;
+    long long Start;
+    long long Size;
+  };
+
+  vtkOpenGLRenderWindow* Window;
+  std::array<int, 4> Viewport;
+  std::array<int, 4> Scissor;
+  std::array<int, 4> BlendFunction;
+  std::array<int, 2> BlendEquation;
+  std::array<unsigned char, 4> ColorMask;
+  unsigned char DepthMask;
+  int DepthFunction;
+  int ActiveTexture;
+  int Program;
+  int VertexArray;
+  std::vector<std::pair<unsigned int, bool>> Enabled;
+  std::vector<std::pair<unsigned int, int>> Buffers;
+  std::vector<BufferBinding> IndexedBuffers;
+};
+
+#endif

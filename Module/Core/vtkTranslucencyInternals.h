@@ -1,0 +1,88 @@
+/**
+ * What a vtkTranslucencyPass keeps from frame to frame, shared with vtkTranslucencyFrame.
+ */
+#ifndef vtkTranslucencyInternals_h
+#define vtkTranslucencyInternals_h
+
+#include "vtkTranslucencyBuffer.h"
+#include "vtkTranslucencyCapabilities.h"
+#include "vtkTranslucencyFrame.h"
+#include "vtkTranslucencyPass.h"
+#include "vtkTranslucencyStatistics.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkOpenGLRenderWindow.h" // for the weak pointer
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDualDepthPeelingPass;
+class vtkOpenGLFramebufferObject;
+class vtkRenderStepsPass;
+class vtkShaderProgram;
+class vtkTextureObject;
+
+struct vtkTranslucencyPass::Internals
+{
+  /// Deletes all OpenGL objects if their window is given, and forgets them if not.
+  void Release(vtkOpenGLRenderWindow* window);
+
+  // The window and the context in it that the OpenGL objects belong to, and what that can do.
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  void* Context = nullptr;
+  vtkTranslucencyCapabilities Capabilities;
+
+  // Gather: the text that goes into the mappers' shaders, what it was made from, and when it last changed.
+  std::string GatherKey;
+  std::string GatherText;
+  vtkTimeStamp GatherTextTime;
+  bool Gathering = false;
+  std::string GatherError; // of a mapper whose shader has no place for the call
+
+  // The opaque depth, captured only if a shader asks for it.
+  vtkSmartPointer<vtkTextureObject> OpaqueDepth;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> OpaqueFramebuffer;
+  int OpaqueDepthBits = 0;
+  bool OpaqueDepthCaptured = false;
+  bool CaptureOpaqueDepth();
+  vtkTranslucencyFrame::Rectangle Viewport{ { 0, 0, 0, 0 } };
+
+  // Resolve: programs, owned by the window's shader cache, by what they were made from.
+  std::map<std::string, vtkShaderProgram*> Programs;
+  unsigned int VertexArray = 0;
+
+  // Blocks of Frame.glsl and Statistics.glsl: of the latter, the words before the squares.
+  struct ResolveStatistics
+  {
+    unsigned int DeepestPixel;
+    unsigned int Unfinished;
+    unsigned int HighestLevel;
+    unsigned int Unused;
+  };
+  ResolveStatistics DownloadStatistics() const;
+  vtkTranslucencyBuffer FrameBlock;
+  vtkTranslucencyBuffer StatisticsBlock;
+
+  // The tiles of the last frame, the first drawn last, and the fragments in them all.
+  std::vector<vtkTranslucencyFrame::Rectangle> Plan;
+  vtkTypeInt64 PlanFragments = 0;
+
+  vtkNew<vtkTranslucencyStatistics> Statistics;
+  bool StatisticsPending = false;
+  double GatherTime = -1; // milliseconds, all tiles; negative if not measured
+  double ResolveTime = -1;
+
+  // Alone, the pass draws by these steps, of which it is one.
+  vtkSmartPointer<vtkRenderStepsPass> Steps;
+  bool InsideSteps = false;
+
+  vtkSmartPointer<vtkDualDepthPeelingPass> Peeling;
+  std::string Warned; // the reason for a fallback that was last warned of
+};
+
+#endif

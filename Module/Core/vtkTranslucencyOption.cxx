@@ -1,0 +1,65 @@
+#include "vtkTranslucencyOption.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "vtkVariant.h"
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyOption::Range() const
+{
+  std::ostringstream out;
+  if (this->Type == Kind::Choice)
+  {
+    for (std::size_t i = 0; i < this->Choices.size(); ++i)
+    {
+      out << (i == 0 ? "" : i + 1 == this->Choices.size() ? " or " : ", ") << this->Choices[i];
+    }
+    return out.str();
+  }
+  out << this->Minimum << "..";
+  if (std::isfinite(this->Maximum))
+  {
+    out << this->Maximum;
+  }
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyOption::Format(double value) const
+{
+  if (this->Type == Kind::Choice)
+  {
+    return this->Choices.at(static_cast<std::size_t>(value));
+  }
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyOption::Parse(
+  const std::string& text, double& value, std::string& error) const
+{
+  bool valid = false;
+  if (this->Type == Kind::Choice)
+  {
+    const auto found = std::find(this->Choices.begin(), this->Choices.end(), text);
+    valid = found != this->Choices.end();
+    value = static_cast<double>(found - this->Choices.begin());
+  }
+  else
+  {
+    value = vtkVariant(text).ToDouble(&valid);
+    valid = valid && value >= this->Minimum && value <= this->Maximum &&
+      (this->Type == Kind::Real || value == std::floor(value));
+  }
+  if (!valid)
+  {
+    error = this->Keyword + " is '" + text + "', expected " +
+      (this->Type == Kind::Integer ? "an integer in " : this->Type == Kind::Real ? "a number in " : "") +
+      this->Range();
+  }
+  return valid;
+}

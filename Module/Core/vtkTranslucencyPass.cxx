@@ -1,0 +1,503 @@
+#include "vtkTranslucencyPass.h"
+
+#include "vtkTranslucencyGLState.h"
+#include "vtkTranslucencyInternals.h"
+#include "vtkTranslucencyOption.h"
+#include "vtkTranslucencyShader.h"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTranslucentPass.h"
+
+#include <numeric>
+#include <regex>
+
+vtkCxxSetObjectMacro(vtkTranslucencyPass, TranslucentPass, vtkRenderPass);
+
+namespace
+{
+bool HasTranslucentGeometry(const vtkRenderState* state)
+{
+  for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
+  {
+    if (vtkTranslucencyProp(state, i)->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// True if a fragment shader gives its fragments a depth of its own.
+bool SetsDepth(const std::string& fragmentShader)
+{
+  static const std::regex assignment("gl_FragDepth\\s*=[^=]");
+  return std::regex_search(fragmentShader, assignment);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyPass::vtkTranslucencyPass()
+  : Internal(new Internals)
+{
+  this->TranslucentPass = vtkTranslucentPass::New();
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyPass::~vtkTranslucencyPass()
+{
+  this->ReleaseGraphicsResources(nullptr);
+  this->SetTranslucentPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeasureTimes: " << this->MeasureTimes << "\n";
+  os << indent << "TranslucentPass:\n";
+  if (this->TranslucentPass)
+  {
+    this->TranslucentPass->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "Statistics:\n";
+  this->Internal->Statistics->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& kept = *this->Internal;
+  // OpenGL objects go with their context: where it is gone, or another has taken its place, nothing is left to delete.
+  vtkOpenGLRenderWindow* owner = kept.Window;
+  const bool alive = owner && kept.Context && owner->GetGenericContext() == kept.Context;
+  if (alive)
+  {
+    owner->PushContext();
+  }
+  this->ReleaseTechniqueResources(alive);
+  kept.Release(alive ? owner : nullptr);
+  if (this->TranslucentPass && window)
+  {
+    this->TranslucentPass->ReleaseGraphicsResources(window);
+  }
+  if (alive)
+  {
+    owner->PopContext();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
+{
+  const bool alive = window != nullptr;
+  this->FrameBlock.Release(alive);
+  this->StatisticsBlock.Release(alive);
+  this->StatisticsPending = false;
+  this->GatherKey.clear();
+  this->GatherText.clear();
+  this->Programs.clear();
+  this->Plan.clear();
+  if (this->VertexArray != 0 && alive)
+  {
+    glDeleteVertexArrays(1, &this->VertexArray);
+  }
+  this->VertexArray = 0;
+  // VTK's own objects follow their window by themselves.
+  this->OpaqueDepth = nullptr;
+  this->OpaqueFramebuffer = nullptr;
+  if (this->Peeling && alive)
+  {
+    this->Peeling->ReleaseGraphicsResources(window);
+  }
+  this->Peeling = nullptr;
+  if (this->Steps && alive && !this->InsideSteps)
+  {
+    this->Steps->ReleaseGraphicsResources(window);
+  }
+  this->Window = nullptr;
+  this->Context = nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyPass::Internals::ResolveStatistics
+vtkTranslucencyPass::Internals::DownloadStatistics() const
+{
+  ResolveStatistics statistics;
+  this->StatisticsBlock.Download(&statistics, sizeof(statistics));
+  return statistics;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkTranslucencyPass::GetOptions()
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::SetOption(const std::string& keyword, const std::string& value)
+{
+  std::string known;
+  for (const vtkTranslucencyOption& option : this->GetOptions())
+  {
+    if (option.Keyword == keyword)
+    {
+      double number = 0;
+      std::string error;
+      if (!option.Parse(value, number, error))
+      {
+        vtkErrorMacro(<< error);
+        return false;
+      }
+      option.Set(number);
+      return true;
+    }
+    known += (known.empty() ? "" : ", ") + option.Keyword;
+  }
+  vtkErrorMacro(<< "there is no option '" << keyword << "', expected one of: " << known);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::GetOption(const std::string& keyword)
+{
+  for (const vtkTranslucencyOption& option : this->GetOptions())
+  {
+    if (option.Keyword == keyword)
+    {
+      return option.Format(option.Get());
+    }
+  }
+  vtkErrorMacro(<< "there is no option '" << keyword << "'");
+  return "";
+}
+
+//------------------------------------------------------------------------------
+int vtkTranslucencyPass::GetNumberOfOptions()
+{
+  return static_cast<int>(this->GetOptions().size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::GetOptionKeyword(int index)
+{
+  const auto options = this->GetOptions();
+  return index >= 0 && index < static_cast<int>(options.size()) ? options[index].Keyword : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::GetOptionHelp(int index)
+{
+  const auto options = this->GetOptions();
+  if (index < 0 || index >= static_cast<int>(options.size()))
+  {
+    return "";
+  }
+  const vtkTranslucencyOption& option = options[index];
+  return option.Help + " (" + option.Range() + ", default " + option.Format(option.Default) + ")";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::GetMissing(vtkOpenGLRenderWindow*)
+{
+  return "";
+}
+
+//------------------------------------------------------------------------------
+const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(
+  vtkOpenGLRenderWindow* window)
+{
+  Internals& kept = *this->Internal;
+  if (kept.Window != window || kept.Context != window->GetGenericContext())
+  {
+    this->ReleaseGraphicsResources(nullptr);
+    kept.Window = window;
+    kept.Context = window->GetGenericContext();
+    kept.Capabilities = vtkTranslucencyCapabilities::Probe(window);
+  }
+  return kept.Capabilities;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyStatistics* vtkTranslucencyPass::GetStatistics()
+{
+  Internals& kept = *this->Internal;
+  if (kept.StatisticsPending && kept.Window)
+  {
+    kept.StatisticsPending = false;
+    kept.Statistics->SetDeepestPixel(kept.DownloadStatistics().DeepestPixel);
+  }
+  return kept.Statistics;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::RenderAlone(const vtkRenderState* state)
+{
+  Internals& kept = *this->Internal;
+  if (!kept.Steps)
+  {
+    kept.Steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+  }
+  // Only while it draws: the steps would otherwise keep this pass alive, and it them.
+  kept.InsideSteps = true;
+  kept.Steps->SetTranslucentPass(this);
+  kept.Steps->Render(state);
+  kept.Steps->SetTranslucentPass(nullptr);
+  kept.InsideSteps = false;
+  this->NumberOfRenderedProps = kept.Steps->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::Render(const vtkRenderState* state)
+{
+  Internals& kept = *this->Internal;
+  vtkRenderer* renderer = state->GetRenderer();
+  if (renderer->GetPass() == this && !kept.InsideSteps)
+  {
+    this->RenderAlone(state);
+    return;
+  }
+  this->NumberOfRenderedProps = 0;
+  kept.Statistics->Reset();
+  kept.StatisticsPending = false;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window || !this->TranslucentPass)
+  {
+    vtkErrorMacro(<< (window ? "TranslucentPass is null" : "an OpenGL render window is needed"));
+    return;
+  }
+  if (!HasTranslucentGeometry(state))
+  {
+    return;
+  }
+  if (renderer->GetSelector())
+  {
+    this->TranslucentPass->Render(state); // ids are not blended
+    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+    return;
+  }
+  const std::string driver = this->GetCapabilities(window).Renderer;
+  const std::string missing = this->GetMissing(window);
+  if (!missing.empty())
+  {
+    this->RenderFallback(state, "the driver (" + driver + ") lacks " + missing);
+    return;
+  }
+
+  std::string error;
+  bool whole = true; // nothing has been composited yet
+  {
+    const vtkTranslucencyGLState found(window);
+    vtkTranslucencyFrame frame(this, state, window, found);
+    int tiles = 0;
+    while ((whole ? error.empty() : true) && frame.NextTile())
+    {
+      ++tiles;
+      if (this->RenderStages(frame))
+      {
+        whole = false;
+        continue;
+      }
+      error = frame.GetError();
+      if (!whole)
+      {
+        frame.Blend();
+      }
+    }
+    kept.Statistics->SetTiles(tiles);
+  }
+  kept.Statistics->SetFragments(kept.PlanFragments);
+  kept.Statistics->SetBytes(
+    kept.FrameBlock.GetBytes() + kept.StatisticsBlock.GetBytes() + this->GetTechniqueBytes());
+  kept.Statistics->SetGatherTime(kept.GatherTime);
+  kept.Statistics->SetResolveTime(kept.ResolveTime);
+  kept.StatisticsPending = true;
+  this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+  if (kept.DownloadStatistics().Unfinished)
+  {
+    vtkErrorMacro(<< "a pixel has more fragments than the driver's loops can take; it is drawn incompletely");
+  }
+  if (!error.empty() && whole)
+  {
+    this->RenderFallback(state, error);
+  }
+  else if (!error.empty())
+  {
+    vtkErrorMacro(<< error << "; part of the picture is drawn by blending");
+    kept.Statistics->SetFallback("blending");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, const std::string& reason)
+{
+  Internals& kept = *this->Internal;
+  // Dual depth peeling copies the depth buffer, which fails where it is multi-sampled: nothing would be drawn.
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  const bool peel = samples == 0;
+  if (kept.Warned != reason)
+  {
+    kept.Warned = reason;
+    vtkWarningMacro(<< reason << "; drawing by "
+                    << (peel ? "depth peeling" : "blending, in drawing order") << " instead");
+  }
+  kept.Statistics->SetFallback(peel ? "peeling" : "blending");
+  if (!peel)
+  {
+    this->TranslucentPass->Render(state);
+    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+    return;
+  }
+  if (!kept.Peeling)
+  {
+    kept.Peeling = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
+    kept.Peeling->SetMaximumNumberOfPeels(VTK_INT_MAX); // until every pixel is done
+    kept.Peeling->SetOcclusionRatio(0);
+  }
+  kept.Peeling->SetTranslucentPass(this->TranslucentPass);
+  kept.Peeling->Render(state);
+  this->NumberOfRenderedProps = kept.Peeling->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  Internals& kept = *this->Internal;
+  if (!kept.Gathering)
+  {
+    return true;
+  }
+  kept.Statistics->SetShaderBuilds(kept.Statistics->GetShaderBuilds() + 1);
+
+  const bool setsDepth = SetsDepth(fragmentShader);
+  std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
+  std::string declarations = kept.GatherText;
+  if (setsDepth)
+  {
+    vtkTranslucencyShader test;
+    test.Assemble("Common/OpaqueDepth.glsl", {});
+    declarations += test.GetText();
+  }
+  else
+  {
+    system += "layout(early_fragment_tests) in;\n";
+  }
+  const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
+  const std::string call = "gatherFragment(gl_FragData[0], " + depth + ");\n";
+
+  const std::string who = mapper->GetClassName();
+  std::string& error = kept.GatherError;
+  using Shader = vtkTranslucencyShader;
+  return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&
+    Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, who, error) &&
+    Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl", call, who, error) &&
+    (!setsDepth ||
+      Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
+        "if (behindOpaque(gl_FragDepth)) { discard; }\n", who, error));
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  Internals& kept = *this->Internal;
+  const char* sampler = "translucencyOpaqueDepth";
+  if (!kept.Gathering || !program->IsUniformUsed(sampler))
+  {
+    return true;
+  }
+  if (!kept.OpaqueDepthCaptured && !kept.CaptureOpaqueDepth())
+  {
+    kept.GatherError = "the depth buffer can't be copied";
+    return false;
+  }
+  program->SetUniformi(sampler, kept.OpaqueDepth->GetTextureUnit());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::Internals::CaptureOpaqueDepth()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const int width = this->Viewport[0] + this->Viewport[2];
+  const int height = this->Viewport[1] + this->Viewport[3];
+  if (!this->OpaqueDepth)
+  {
+    this->OpaqueDepth = vtkSmartPointer<vtkTextureObject>::New();
+    this->OpaqueDepth->SetContext(this->Window);
+    this->OpaqueDepth->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->OpaqueDepth->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->OpaqueFramebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->OpaqueFramebuffer->SetContext(this->Window);
+  }
+
+  // A depth buffer can be copied to one of its own format only.
+  GLint drawn = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  const auto query = [drawn](GLenum name, GLenum attachment) {
+    GLint value = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    return value;
+  };
+  const GLint bits =
+    query(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, drawn ? GL_DEPTH_ATTACHMENT : GL_DEPTH);
+  const GLint type =
+    query(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, drawn ? GL_DEPTH_ATTACHMENT : GL_DEPTH);
+  const bool stencil =
+    query(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, drawn ? GL_STENCIL_ATTACHMENT : GL_STENCIL) != GL_NONE;
+  if (static_cast<int>(this->OpaqueDepth->GetWidth()) != width ||
+    static_cast<int>(this->OpaqueDepth->GetHeight()) != height || bits != this->OpaqueDepthBits)
+  {
+    this->OpaqueDepthBits = bits;
+    if (stencil)
+    {
+      this->OpaqueDepth->AllocateDepthStencil(width, height);
+    }
+    else
+    {
+      this->OpaqueDepth->AllocateDepth(width, height,
+        type == GL_FLOAT ? vtkTextureObject::Float32
+          : bits == 32   ? vtkTextureObject::Fixed32
+          : bits == 24   ? vtkTextureObject::Fixed24
+                         : vtkTextureObject::Fixed16);
+    }
+  }
+
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(drawn));
+  this->OpaqueFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->OpaqueFramebuffer->AddDepthAttachment(this->OpaqueDepth);
+  while (glGetError() != GL_NO_ERROR)
+  {
+    // an older error is not this copy's
+  }
+  const auto& from = this->Viewport;
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(from[0], from[1], width, height, from[0], from[1], width, height,
+    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glEnable(GL_SCISSOR_TEST);
+  const bool copied = glGetError() == GL_NO_ERROR;
+  state->PopFramebufferBindings();
+  this->OpaqueDepth->Activate();
+  this->OpaqueDepthCaptured = true;
+  return copied;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTranslucencyPass::GetShaderStageMTime()
+{
+  return this->Internal->GatherTextTime;
+}

@@ -1,0 +1,143 @@
+/**
+ * @class   vtkTranslucencyPass
+ * @brief   draws translucent polygonal geometry right, whatever the order in which it is drawn
+ *
+ * The base of all techniques. It stands where vtkDepthPeelingPass would stand, as the translucent pass of a
+ * vtkRenderStepsPass, or alone as a renderer's pass (then it draws lights, opaque geometry, volumes and overlays too):
+ *
+ * @code
+ * vtkNew<vtkAdaptiveTransparencyPass> pass;
+ * renderer->SetPass(pass);
+ * @endcode
+ *
+ * One frame:
+ * 1. Opaque geometry is already in the framebuffer that is bound; that framebuffer stays bound, so that the depth test
+ *    rejects what lies behind it before it is shaded.
+ * 2. Gather: the translucent props are drawn with one call added to their shaders, which gives each fragment's colour,
+ *    opacity and depth to the technique. No colour and no depth is written.
+ * 3. Resolve: a full-screen pass turns what was gathered into colour and total transmittance.
+ * 4. Composite: blending puts that over the opaque picture. The GL state is then as it was found.
+ *
+ * A subclass says what happens in RenderStages, in terms of vtkTranslucencyFrame; it has a folder of shaders and a row in
+ * vtkTranslucencyFactory, and nothing else has to know it.
+ *
+ * Where the driver lacks what a technique needs, the frame is drawn by depth peeling or, failing that, by plain blending,
+ * with one warning that names what is missing; GetStatistics()->GetFallback() tells which. During hardware selection the
+ * geometry is drawn plainly.
+ */
+#ifndef vtkTranslucencyPass_h
+#define vtkTranslucencyPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+
+#include <memory> // for Internals
+#include <string> // for options
+#include <vector> // for options
+
+class vtkOpenGLRenderWindow;
+class vtkTranslucencyFrame;
+class vtkTranslucencyStatistics;
+class vtkWindow;
+struct vtkTranslucencyCapabilities;
+struct vtkTranslucencyOption;
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyPass : public vtkOpenGLRenderPass
+{
+public:
+  vtkTypeMacro(vtkTranslucencyPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * The pass that draws the translucent props, a vtkTranslucentPass by default.
+   */
+  void SetTranslucentPass(vtkRenderPass* pass);
+  vtkGetObjectMacro(TranslucentPass, vtkRenderPass);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the stages are timed. Off by default: it waits for the GPU at each stage's end.
+   */
+  vtkSetMacro(MeasureTimes, bool);
+  vtkGetMacro(MeasureTimes, bool);
+  vtkBooleanMacro(MeasureTimes, bool);
+  ///@}
+
+  /**
+   * What the last frame drew and cost. Asking waits for that frame to end; the window's context must be current, as it is
+   * after Render().
+   */
+  vtkTranslucencyStatistics* GetStatistics();
+
+  ///@{
+  /**
+   * The technique's options by keyword, as every user interface sees them: the properties of this class, of its subclass
+   * and of its storage. SetOption returns false, after an error that names the option and the values it takes, if there
+   * is no such option or the value is not one of its.
+   */
+  bool SetOption(const std::string& keyword, const std::string& value);
+  std::string GetOption(const std::string& keyword);
+  int GetNumberOfOptions();
+  std::string GetOptionKeyword(int index);
+  std::string GetOptionHelp(int index);
+  ///@}
+
+  /**
+   * The declarations behind the options: not wrapped, for C++ interfaces that want ranges, defaults and types.
+   */
+  virtual std::vector<vtkTranslucencyOption> GetOptions();
+
+  /**
+   * Empty if the driver behind the window can run this technique, else what it lacks. The window's context must be current.
+   */
+  virtual std::string GetMissing(vtkOpenGLRenderWindow* window);
+
+  // vtkOpenGLRenderPass
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+
+protected:
+  vtkTranslucencyPass();
+  ~vtkTranslucencyPass() override;
+
+  /**
+   * The technique: gathers and resolves the frame's current tile. False if a stage failed, which the frame has reported.
+   */
+  virtual bool RenderStages(vtkTranslucencyFrame& frame) = 0;
+
+  /**
+   * What the driver behind the window can do.
+   */
+  const vtkTranslucencyCapabilities& GetCapabilities(vtkOpenGLRenderWindow* window);
+
+  /**
+   * Bytes of graphics memory that the subclass holds, and the release of it. Where the context is gone, only handles are
+   * left to forget. A subclass that holds any calls ReleaseGraphicsResources(nullptr) in its destructor.
+   */
+  virtual vtkTypeInt64 GetTechniqueBytes() { return 0; }
+  virtual void ReleaseTechniqueResources(bool vtkNotUsed(contextAlive)) {}
+
+  vtkRenderPass* TranslucentPass = nullptr;
+  bool MeasureTimes = false;
+
+private:
+  vtkTranslucencyPass(const vtkTranslucencyPass&) = delete;
+  void operator=(const vtkTranslucencyPass&) = delete;
+
+  void RenderAlone(const vtkRenderState* state);
+  void RenderFallback(const vtkRenderState* state, const std::string& reason);
+
+  friend class vtkTranslucencyFrame;
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,162 @@
+#include "vtkTranslucencyShader.h"
+
+#include "vtkTranslucencyShaderTable.h"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkNew.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace
+{
+// Source numbers start here, so that they can't be mistaken for the surrounding text's own, 0.
+constexpr int FirstSource = 101;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTranslucencyShader::GetExtensions()
+{
+  return "#extension GL_ARB_shader_storage_buffer_object : require\n"
+         "#extension GL_ARB_shader_image_load_store : require\n"
+         "#extension GL_ARB_shading_language_420pack : require\n"
+         "#extension GL_ARB_shading_language_packing : require\n"
+         "#extension GL_ARB_shader_bit_encoding : require\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyShader::Assemble(const std::string& file, const Defines& required,
+  const Defines& offered, const std::string& storage)
+{
+  this->Text.clear();
+  this->Error.clear();
+  this->Files.clear();
+  this->Storage = storage;
+  this->Depth = 0;
+  std::string head;
+  if (!this->Append(file, "", 0) || !this->Define(required, true, head) ||
+    !this->Define(offered, false, head))
+  {
+    return false;
+  }
+  this->Text.insert(0, head);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyShader::Define(const Defines& defines, bool required, std::string& head)
+{
+  for (const auto& define : defines)
+  {
+    const bool mentioned =
+      std::regex_search(this->Text, std::regex("\\b" + define.first + "\\b"));
+    if (!mentioned && required)
+    {
+      this->Error = "shader " + this->Files.front() + ": the define " + define.first +
+        " is mentioned by none of its files";
+      return false;
+    }
+    if (mentioned)
+    {
+      head += "#define " + define.first + " " + define.second + "\n";
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyShader::Append(const std::string& file, const std::string& includer, int line)
+{
+  constexpr int Deepest = 16;
+  if (++this->Depth > Deepest)
+  {
+    this->Error = "shader " + file + " includes itself, by way of " + includer;
+    return false;
+  }
+  const char* source = vtkTranslucencyShaderTable(file);
+  if (!source)
+  {
+    this->Error = "shader " + file + " is not in the shader table" +
+      (includer.empty() ? "" : " (included by " + includer + ":" + std::to_string(line) + ")");
+    return false;
+  }
+  auto at = std::find(this->Files.begin(), this->Files.end(), file);
+  if (at == this->Files.end())
+  {
+    at = this->Files.insert(at, file);
+  }
+  const int number = FirstSource + static_cast<int>(at - this->Files.begin());
+
+  const auto mark = [&](int next) {
+    // Before GLSL 3.30, `#line n` makes the following line n + 1 (GLSL 1.50, section 3.4).
+    this->Text += "#line " + std::to_string(next - 1) + " " + std::to_string(number) + "\n";
+  };
+  mark(1);
+  static const std::regex include("\\s*#\\s*include\\s+\"([^\"]+)\".*");
+  std::istringstream lines(source);
+  std::string text;
+  std::smatch match;
+  for (int here = 1; std::getline(lines, text); ++here)
+  {
+    if (std::regex_match(text, match, include))
+    {
+      const std::string included = std::regex_replace(
+        match[1].str(), std::regex("^Storage/Selected"), "Storage/" + this->Storage);
+      if (!this->Append(included, file, here))
+      {
+        return false;
+      }
+      mark(here + 1);
+    }
+    else
+    {
+      this->Text += text + "\n";
+    }
+  }
+  --this->Depth;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyShader::Validate(const std::string& main, vtkShader::Type type)
+{
+  vtkNew<vtkShader> shader;
+  shader->SetType(type);
+  shader->SetSource("#version 150\n" + std::string(GetExtensions()) + this->Text + main);
+  const bool compiled = this->Error.empty() && shader->Compile();
+  if (!compiled && this->Error.empty())
+  {
+    this->Error = "shader " + this->Files.front() + " does not compile:\n" +
+      this->NameSources(shader->GetError());
+  }
+  shader->Cleanup();
+  return compiled;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyShader::NameSources(const std::string& log) const
+{
+  // Mesa writes "101:12(3): error: ...", NVIDIA "101(12) : error ...", others "ERROR: 101:12: ...".
+  std::string named = log;
+  for (std::size_t i = 0; i < this->Files.size(); ++i)
+  {
+    const std::string number = std::to_string(FirstSource + static_cast<int>(i));
+    named = std::regex_replace(
+      named, std::regex("\\b" + number + "(:|\\()(\\d+)\\)?"), this->Files[i] + ":$2");
+  }
+  return named;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyShader::Substitute(std::string& text, const std::string& anchor,
+  const std::string& replacement, const std::string& who, std::string& error)
+{
+  if (vtkShaderProgram::Substitute(text, anchor, replacement))
+  {
+    return true;
+  }
+  error = "the shader of " + who + " has no " + anchor;
+  return false;
+}

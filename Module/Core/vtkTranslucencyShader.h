@@ -1,0 +1,57 @@
+/**
+ * Puts shader text together from the .glsl files of Module/Shaders, which the library carries inside.
+ *
+ * `#include "Folder/File.glsl"` takes in a file of the table; files guard themselves against a second time, as C++ headers do. Every file starts by refusing to compile without the
+ * defines it needs; a define that no file mentions is refused here, so that neither side can be misspelt in silence.
+ * `#line` directives keep file and line, so that a compiler's message can be told in those terms.
+ */
+#ifndef vtkTranslucencyShader_h
+#define vtkTranslucencyShader_h
+
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+
+#include "vtkShader.h" // for its type
+
+#include <map>
+#include <string>
+#include <vector>
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyShader
+{
+public:
+  using Defines = std::map<std::string, std::string>;
+
+  /// Assembles a file and all that it includes, behind the defines. `Storage/Selected` in an include stands for
+  /// "Storage/" + storage. False, with the reason in GetError(), if a file is not in the table or one of the required defines
+  /// is mentioned by none of the files; of the offered ones, those that are mentioned are taken.
+  bool Assemble(const std::string& file, const Defines& required, const Defines& offered = {},
+    const std::string& storage = "");
+
+  /// The text, to stand behind #version and #extension lines.
+  const std::string& GetText() const { return this->Text; }
+  const std::string& GetError() const { return this->Error; }
+
+  /// The extensions that every shader of this module asks for, as #extension lines.
+  static const char* GetExtensions();
+
+  /// Compiles the text, with main behind it; false, with messages that name file and line in GetError(), if that fails. A
+  /// context must be current.
+  bool Validate(const std::string& main, vtkShader::Type type = vtkShader::Fragment);
+
+  /// Replaces anchor in text; false, with the reason in error, if the anchor is not there. who is named in the error.
+  static bool Substitute(std::string& text, const std::string& anchor, const std::string& replacement,
+    const std::string& who, std::string& error);
+
+private:
+  bool Append(const std::string& file, const std::string& includer, int line);
+  bool Define(const Defines& defines, bool required, std::string& head);
+  std::string NameSources(const std::string& log) const;
+
+  std::string Text;
+  std::string Error;
+  std::string Storage;
+  int Depth = 0; // of includes
+  std::vector<std::string> Files; // index + FirstSource = the #line directive's source number
+};
+
+#endif

@@ -1,0 +1,37 @@
+#include "vtkTranslucencyStatistics.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkTranslucencyStatistics);
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyStatistics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Fragments: " << this->Fragments << "\n";
+  os << indent << "DeepestPixel: " << this->DeepestPixel << "\n";
+  os << indent << "Bytes: " << this->Bytes << "\n";
+  os << indent << "Tiles: " << this->Tiles << "\n";
+  os << indent << "GeometryPasses: " << this->GeometryPasses << "\n";
+  os << indent << "ScreenPasses: " << this->ScreenPasses << "\n";
+  os << indent << "ShaderBuilds: " << this->ShaderBuilds << "\n";
+  os << indent << "GatherTime: " << this->GatherTime << "\n";
+  os << indent << "ResolveTime: " << this->ResolveTime << "\n";
+  os << indent << "Fallback: " << this->Fallback << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyStatistics::Reset()
+{
+  this->Fragments = 0;
+  this->DeepestPixel = 0;
+  this->Bytes = 0;
+  this->Tiles = 0;
+  this->GeometryPasses = 0;
+  this->ScreenPasses = 0;
+  this->ShaderBuilds = 0;
+  this->GatherTime = -1;
+  this->ResolveTime = -1;
+  this->Fallback.clear();
+  this->Modified();
+}

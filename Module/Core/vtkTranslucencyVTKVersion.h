@@ -1,0 +1,35 @@
+/**
+ * The one file that knows how VTK's releases differ: everything else is written for 9.1 and later alike.
+ */
+#ifndef vtkTranslucencyVTKVersion_h
+#define vtkTranslucencyVTKVersion_h
+
+// OpenGL's functions: GLEW up to VTK 9.3, GLAD from 9.4 on.
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h" // IWYU pragma: export
+#else
+#include "vtk_glew.h" // IWYU pragma: export
+#endif
+
+#include "vtkRenderState.h"
+
+class vtkProp;
+
+/// The number of props of a render state.
+inline int vtkTranslucencyPropCount(const vtkRenderState* state)
+{
+  return static_cast<int>(state->GetPropArrayCount());
+}
+
+/// One prop of a render state: an element of an array up to VTK 9.6, of a std::vector after.
+inline vtkProp* vtkTranslucencyProp(const vtkRenderState* state, int index)
+{
+  return state->GetPropArray()[index];
+}
+
+// VTK_VERSION_CHECK and the factory macros of VTK 9.1 lack what later releases define.
+#ifndef VTK_FUTURE_CONST
+#define VTK_FUTURE_CONST
+#endif
+
+#endif

@@ -1,0 +1,63 @@
+#include "vtkABufferPass.h"
+
+#include "vtkTranslucencyFrame.h"
+#include "vtkTranslucencyOption.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkABufferPass);
+
+//------------------------------------------------------------------------------
+void vtkABufferPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Resolve: " << (this->Resolve == Iterative ? "Iterative" : "Recursive") << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferPass::SetResolve(int resolve)
+{
+  if (resolve != Recursive && resolve != Iterative)
+  {
+    vtkErrorMacro(<< "Resolve is " << resolve << ", expected Recursive (0) or Iterative (1)");
+    return;
+  }
+  if (this->Resolve != resolve)
+  {
+    this->Resolve = resolve;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkABufferPass::GetOptions()
+{
+  std::vector<vtkTranslucencyOption> options{ { "Resolve", "resolve",
+    vtkTranslucencyOption::Kind::Choice, Recursive, 0, 1, { "recursive", "iterative" },
+    "recursive sorts a pixel's fragments and blends them; iterative weights each with all in front of it, without "
+    "sorting, and is slower for deep pixels",
+    [this] { return this->GetResolve(); },
+    [this](double value) { this->SetResolve(static_cast<int>(value)); } } };
+  for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
+  {
+    options.push_back(option);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+bool vtkABufferPass::RenderStages(vtkTranslucencyFrame& frame)
+{
+  if (!frame.Gather(this->Storage))
+  {
+    return false;
+  }
+  if (this->Resolve == Iterative)
+  {
+    return frame.Resolve("ABuffer/Iterative.glsl", { { "NEXT_LEVEL", "1u" } }, {}) &&
+      this->ResolveLongLists(frame, 1);
+  }
+  vtkTranslucencyFrame::Squares rest;
+  return this->ResolveShortLists(frame, VTK_INT_MAX, rest) &&
+    this->ResolveLongLists(frame, rest.Level);
+}

@@ -1,0 +1,111 @@
+#include "vtkAdaptiveTransparencyPass.h"
+
+#include "vtkTranslucencyFrame.h"
+#include "vtkTranslucencyOption.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkAdaptiveTransparencyPass);
+
+namespace
+{
+constexpr int LeastNodes = 1;
+constexpr int MostNodes = 64;
+
+const char* const Removals[] = { "NODE_REMOVAL_UNDERESTIMATE", "NODE_REMOVAL_OVERESTIMATE",
+  "NODE_REMOVAL_MIXED" };
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NodeCount: " << this->NodeCount << "\n";
+  os << indent << "NodeRemoval: " << Removals[this->NodeRemoval] << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::SetNodeCount(int count)
+{
+  if (count < LeastNodes || count > MostNodes)
+  {
+    vtkErrorMacro(<< "NodeCount is " << count << ", expected " << LeastNodes << " to " << MostNodes);
+    return;
+  }
+  if (this->NodeCount != count)
+  {
+    this->NodeCount = count;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::SetNodeRemoval(int removal)
+{
+  if (removal < Underestimate || removal > Mixed)
+  {
+    vtkErrorMacro(<< "NodeRemoval is " << removal
+                  << ", expected Underestimate (0), Overestimate (1) or Mixed (2)");
+    return;
+  }
+  if (this->NodeRemoval != removal)
+  {
+    this->NodeRemoval = removal;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
+{
+  using Kind = vtkTranslucencyOption::Kind;
+  std::vector<vtkTranslucencyOption> options{
+    { "NodeCount", "nodes", Kind::Integer, 16, LeastNodes, MostNodes, {},
+      "nodes of the visibility function; 8 is hard to tell from exact, 16 safer for hair and smoke",
+      [this] { return this->GetNodeCount(); },
+      [this](double value) { this->SetNodeCount(static_cast<int>(value)); } },
+    { "NodeRemoval", "removal", Kind::Choice, Underestimate, 0, 2,
+      { "underestimate", "overestimate", "mixed" },
+      "how a full visibility function loses a node; underestimate looks best",
+      [this] { return this->GetNodeRemoval(); },
+      [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } }
+  };
+  for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
+  {
+    options.push_back(option);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
+{
+  if (!frame.Gather(this->Storage))
+  {
+    return false;
+  }
+  // A list of no more fragments than nodes needs no compression: it is exact, and sorting it takes fewer steps.
+  vtkTranslucencyFrame::Squares rest;
+  if (!this->ResolveShortLists(frame, this->NodeCount, rest))
+  {
+    return false;
+  }
+  vtkTranslucencyFrame::Defines defines{ { "NODE_COUNT", std::to_string(this->NodeCount) },
+    { "NODE_REMOVAL", Removals[this->NodeRemoval] }, { "EQUAL_DEPTHS", "0" },
+    { "LEVEL", std::to_string(rest.Level) + "u" } };
+  if (!frame.Resolve("Adaptive/Resolve.glsl", defines, rest))
+  {
+    return false;
+  }
+  const int equalDepths = rest.Level + 1;
+  if (frame.GetHighestLevel() >= equalDepths)
+  {
+    defines["EQUAL_DEPTHS"] = "1";
+    const auto left = vtkTranslucencyFrame::Squares::LeftTo(equalDepths);
+    if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left))
+    {
+      return false;
+    }
+  }
+  return this->ResolveLongLists(frame, rest.Level + 2);
+}

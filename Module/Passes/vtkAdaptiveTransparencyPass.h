@@ -1,0 +1,73 @@
+/**
+ * @class   vtkAdaptiveTransparencyPass
+ * @brief   adaptive transparency: a visibility function of few nodes a pixel
+ *
+ * Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency", in its variable-memory form (section 4.1).
+ *
+ * 1. Gather: all translucent fragments into the storage (one linked list a pixel).
+ * 2. Resolve, one full-screen pass that walks a pixel's list twice:
+ *    - each fragment is inserted into the visibility function vis(z), a front-to-back list of at most NodeCount nodes, each
+ *      a depth and the transmittance behind it (sections 3.2, 3.3). When there are more fragments than nodes, the node whose
+ *      removal changes the area under vis(z) least is removed (Eq. 7), see NodeRemoval.
+ *    - each fragment's colour is weighted with its opacity and vis at its depth, and summed (Eq. 2).
+ *
+ * With no more fragments than nodes the picture is that of vtkABufferPass. Fragments are inserted in the order of the list:
+ * the last drawn first. The picture depends slightly on that order once nodes are removed; where a driver does not keep the
+ * drawing order, two runs may differ by as much. Nodes live in registers only: NodeCount changes no memory.
+ */
+#ifndef vtkAdaptiveTransparencyPass_h
+#define vtkAdaptiveTransparencyPass_h
+
+#include "vtkFragmentListPass.h"
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkFragmentListPass
+{
+public:
+  static vtkAdaptiveTransparencyPass* New();
+  vtkTypeMacro(vtkAdaptiveTransparencyPass, vtkFragmentListPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum NodeRemovalType
+  {
+    Underestimate = 0,
+    Overestimate = 1,
+    Mixed = 2
+  };
+
+  ///@{
+  /**
+   * Nodes of the visibility function, 1 to 64, 16 by default. A value outside is an error and changes nothing.
+   */
+  void SetNodeCount(int count);
+  vtkGetMacro(NodeCount, int);
+  ///@}
+
+  ///@{
+  /**
+   * How a node leaves a full visibility function (section 3.2, Figure 4):
+   * - Underestimate (the default): its step moves to the nearer neighbour, which keeps the total transmittance exact.
+   * - Overestimate: its step moves to the farther neighbour.
+   * - Mixed: whichever of the two loses less area, node by node; can look noisy (Figure 5).
+   * Another value is an error and changes nothing.
+   */
+  void SetNodeRemoval(int removal);
+  vtkGetMacro(NodeRemoval, int);
+  ///@}
+
+  std::vector<vtkTranslucencyOption> GetOptions() override;
+
+protected:
+  vtkAdaptiveTransparencyPass() = default;
+  ~vtkAdaptiveTransparencyPass() override = default;
+
+  bool RenderStages(vtkTranslucencyFrame& frame) override;
+
+  int NodeCount = 16;
+  int NodeRemoval = Underestimate;
+
+private:
+  vtkAdaptiveTransparencyPass(const vtkAdaptiveTransparencyPass&) = delete;
+  void operator=(const vtkAdaptiveTransparencyPass&) = delete;
+};
+
+#endif

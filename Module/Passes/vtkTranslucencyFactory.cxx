@@ -1,0 +1,129 @@
+#include "vtkTranslucencyFactory.h"
+
+#include "vtkABufferPass.h"
+#include "vtkAdaptiveTransparencyPass.h"
+
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTranslucentPass.h"
+
+vtkStandardNewMacro(vtkTranslucencyFactory);
+
+namespace
+{
+vtkRenderPass* NewDualDepthPeeling()
+{
+  auto* pass = vtkDualDepthPeelingPass::New();
+  pass->SetTranslucentPass(vtkSmartPointer<vtkTranslucentPass>::New());
+  pass->SetMaximumNumberOfPeels(VTK_INT_MAX);
+  pass->SetOcclusionRatio(0);
+  return pass;
+}
+
+vtkRenderPass* NewOrderIndependentTranslucent()
+{
+  auto* pass = vtkOrderIndependentTranslucentPass::New();
+  pass->SetTranslucentPass(vtkSmartPointer<vtkTranslucentPass>::New());
+  return pass;
+}
+
+template <typename Pass>
+vtkRenderPass* NewPass()
+{
+  return Pass::New();
+}
+
+struct Technique
+{
+  const char* Name;
+  const char* Help;
+  vtkRenderPass* (*New)();
+};
+
+const Technique Techniques[] = {
+  { "exact", "A-buffer: every fragment, sorted and blended", NewPass<vtkABufferPass> },
+  { "adaptive", "adaptive transparency: a visibility function of a few nodes a pixel",
+    NewPass<vtkAdaptiveTransparencyPass> },
+  { "blend", "VTK's plain blending, in drawing order: wrong where surfaces overlap out of order",
+    NewPass<vtkTranslucentPass> },
+  { "vtk-oit", "VTK's order-independent pass: a weighted average, fast and approximate",
+    NewOrderIndependentTranslucent },
+  { "vtk-peel", "VTK's dual depth peeling, to the last layer", NewDualDepthPeeling },
+};
+
+constexpr int TechniqueCount = static_cast<int>(sizeof(Techniques) / sizeof(Techniques[0]));
+
+const Technique* Find(const std::string& name)
+{
+  std::string known;
+  for (const Technique& technique : Techniques)
+  {
+    if (name == technique.Name)
+    {
+      return &technique;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(technique.Name);
+  }
+  vtkGenericWarningMacro("there is no technique '" << name << "', expected one of: " << known);
+  return nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkTranslucencyFactory::GetNumberOfTechniques()
+{
+  return TechniqueCount;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyFactory::GetTechniqueName(int index)
+{
+  return index >= 0 && index < TechniqueCount ? Techniques[index].Name : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyFactory::GetTechniqueHelp(int index)
+{
+  return index >= 0 && index < TechniqueCount ? Techniques[index].Help : "";
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkTranslucencyFactory::CreateTechnique(const std::string& name)
+{
+  const Technique* technique = Find(name);
+  return technique ? technique->New() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkTranslucencyFactory::Enable(vtkRenderer* renderer, const std::string& name)
+{
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("the renderer is null, expected a vtkRenderer");
+    return nullptr;
+  }
+  const auto pass = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
+  if (!pass)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkRenderStepsPass> steps;
+  steps->SetTranslucentPass(pass);
+  renderer->SetPass(steps);
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyFactory::GetMissing(
+  const std::string& name, vtkOpenGLRenderWindow* window)
+{
+  const auto pass = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
+  auto* own = vtkTranslucencyPass::SafeDownCast(pass);
+  return own ? own->GetMissing(window) : "";
+}

@@ -1,0 +1,63 @@
+/**
+ * @class   vtkTranslucencyFactory
+ * @brief   the techniques by name
+ *
+ * Every user interface (Python, the command, ParaView) finds the techniques here: this module's own, by the names of the
+ * field, and VTK's for comparison: "blend" (unsorted blending), "vtk-peel" (dual depth peeling), "vtk-oit" (VTK's weighted
+ * pass). A technique is added by one row of the table in vtkTranslucencyFactory.cxx.
+ */
+#ifndef vtkTranslucencyFactory_h
+#define vtkTranslucencyFactory_h
+
+#include "vtkObject.h"
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+
+#include <string> // for names
+
+class vtkOpenGLRenderWindow;
+class vtkRenderPass;
+class vtkRenderer;
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyFactory : public vtkObject
+{
+public:
+  static vtkTranslucencyFactory* New();
+  vtkTypeMacro(vtkTranslucencyFactory, vtkObject);
+
+  static int GetNumberOfTechniques();
+
+  ///@{
+  /**
+   * Name and one-line description of a technique, by its index; empty outside 0..GetNumberOfTechniques()-1.
+   */
+  static std::string GetTechniqueName(int index);
+  static std::string GetTechniqueHelp(int index);
+  ///@}
+
+  /**
+   * A new pass of the technique, to stand as vtkRenderStepsPass's translucent pass; null, after an error that lists the
+   * names, if there is none of that name. This module's own are vtkTranslucencyPass, with options and statistics.
+   */
+  VTK_NEWINSTANCE static vtkRenderPass* CreateTechnique(const std::string& name);
+
+  /**
+   * Makes the renderer draw with the technique, by a vtkRenderStepsPass around it. Returns the technique's pass, owned by
+   * the renderer, for its options; null, after an error, if there is none of that name.
+   */
+  static vtkRenderPass* Enable(vtkRenderer* renderer, const std::string& name);
+
+  /**
+   * Empty if the driver behind the window can run the technique, else what is missing. The window must have rendered once.
+   */
+  static std::string GetMissing(const std::string& name, vtkOpenGLRenderWindow* window);
+
+protected:
+  vtkTranslucencyFactory() = default;
+  ~vtkTranslucencyFactory() override = default;
+
+private:
+  vtkTranslucencyFactory(const vtkTranslucencyFactory&) = delete;
+  void operator=(const vtkTranslucencyFactory&) = delete;
+};
+
+#endif

@@ -1,0 +1,77 @@
+// ABuffer/Iterative.glsl: weight each fragment with the transmittance of all in front of it (Salvi 2011, Eq. 2 and 4), found by
+// walking the list again: n^2 steps, no sorting, no memory.
+//
+// GROUP fragments are weighted in one walk, which reads the list so much less often. Where a driver ends the loops of a very
+// deep pixel before they are done, the pixel is left to the level that sorts.
+//
+// Needs: NEXT_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
+#ifndef NEXT_LEVEL
+#error "ABuffer/Iterative.glsl needs NEXT_LEVEL"
+#endif
+#include "Common/Fragment.glsl"
+#include "Common/Order.glsl"
+#include "Common/Statistics.glsl"
+#include "Storage/Selected.glsl"
+
+#define GROUP 16
+#define FRAGMENTS_A_ROUND 4
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  uint first = firstFragment(pixel);
+  uint cursor = first;
+  uint other = 0u;
+  uint count = 0u;
+  while (cursor != 0u)
+  {
+    Fragment group[GROUP];
+    float visibility[GROUP];
+    for (int i = 0; i < GROUP; ++i)
+    {
+      Fragment fragment = Fragment(0.0, uvec2(0u)); // transparent, where the list has ended
+      if (cursor != 0u)
+      {
+        nextFragment(cursor, fragment);
+      }
+      group[i] = fragment;
+      visibility[i] = 1.0;
+    }
+    other = first;
+    uint age = 0u;
+    while (other != 0u)
+    {
+      for (int round = 0; round < FRAGMENTS_A_ROUND; ++round)
+      {
+        Fragment fragment;
+        if (nextFragment(other, fragment))
+        {
+          float passes = 1.0 - unpackColor(fragment.color).a;
+          for (int i = 0; i < GROUP; ++i)
+          {
+            bool before = inFront(fragment.depth, fragment.color, age, group[i].depth,
+              group[i].color, count + uint(i));
+            visibility[i] *= before ? passes : 1.0;
+          }
+          ++age;
+        }
+      }
+    }
+    for (int i = 0; i < GROUP; ++i)
+    {
+      vec4 shaded = unpackColor(group[i].color);
+      color += visibility[i] * shaded.a * shaded.rgb;
+      transmittance *= 1.0 - shaded.a;
+    }
+    count = min(count + uint(GROUP), age);
+  }
+  if (cursor != 0u || other != 0u)
+  {
+    leaveToLevel(pixel, NEXT_LEVEL);
+    return false;
+  }
+  recordFragments(count);
+  dropFragments(pixel);
+  return count > 0u;
+}
+
+#include "Common/Resolve.glsl"

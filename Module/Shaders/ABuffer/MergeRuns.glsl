@@ -1,0 +1,15 @@
+// ABuffer/MergeRuns.glsl: long lists, once for each doubling: pairs of sorted runs become one.
+//
+// Needs: what the storage's sorting needs.
+#include "Common/Statistics.glsl"
+#include "Storage/SelectedSort.glsl"
+
+uniform int runLength;
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  recordUnfinished(mergeRuns(pixel, uint(runLength)));
+  return false;
+}
+
+#include "Common/Resolve.glsl"

@@ -1,0 +1,29 @@
+// ABuffer/ResolveSorted.glsl: long lists, last step: they are in order and are blended.
+//
+// Eight fragments a round: drivers may limit the rounds of a loop.
+//
+// Needs: COLOR_FORMAT.
+#include "ABuffer/Blend.glsl"
+#include "Common/Statistics.glsl"
+#include "Storage/Selected.glsl"
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  uint cursor = firstFragment(pixel);
+  bool holdsFragments = cursor != 0u;
+  while (cursor != 0u)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      Fragment fragment;
+      if (nextFragment(cursor, fragment))
+      {
+        blendBehind(color, transmittance, fragment.color);
+      }
+    }
+  }
+  recordUnfinished(cursor);
+  return holdsFragments;
+}
+
+#include "Common/Resolve.glsl"

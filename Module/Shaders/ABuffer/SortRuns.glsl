@@ -1,0 +1,15 @@
+// ABuffer/SortRuns.glsl: long lists, first step: every 32 fragments of a list become a sorted run.
+//
+// Needs: what the storage's sorting needs.
+#include "Common/Statistics.glsl"
+#include "Storage/SelectedSort.glsl"
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  uint cursor;
+  recordFragments(sortRuns(pixel, cursor));
+  recordUnfinished(cursor);
+  return false;
+}
+
+#include "Common/Resolve.glsl"

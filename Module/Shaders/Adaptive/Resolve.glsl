@@ -1,0 +1,60 @@
+// Adaptive/Resolve.glsl: the colour of a pixel by its compressed visibility function (Salvi 2011, section 4.1).
+//
+// Two walks over the pixel's list: build vis(z), then sum the fragments weighted by it (Eq. 2). The total transmittance is
+// that of all fragments: no rule of removal changes it.
+//
+// Fragments of equal depth are composited one behind the other, which takes more steps for every fragment. EQUAL_DEPTHS 0 does
+// without and leaves pixels that have such fragments to the next level, LEVEL + 1, which draws them by EQUAL_DEPTHS 1. Pixels
+// whose loops the driver ends are left to LEVEL + 2.
+//
+// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, LEVEL, COLOR_FORMAT.
+#ifndef EQUAL_DEPTHS
+#error "Adaptive/Resolve.glsl needs EQUAL_DEPTHS"
+#endif
+#include "Adaptive/Visibility.glsl"
+#include "Common/Fragment.glsl"
+#include "Common/Statistics.glsl"
+#include "Storage/Selected.glsl"
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  Visibility visibility;
+  clearVisibility(visibility);
+  int count = 0;
+  Fragment fragment;
+  uint cursor = firstFragment(pixel);
+  while (nextFragment(cursor, fragment))
+  {
+    float alpha = unpackColor(fragment.color).a;
+    transmittance *= 1.0 - alpha;
+    insertFragment(visibility, fragment.depth, alpha, count);
+    ++count;
+  }
+#if !EQUAL_DEPTHS
+  if (visibility.tied)
+  {
+    leaveToLevel(pixel, LEVEL + 1u);
+    return false;
+  }
+#endif
+  uint unread = cursor;
+  cursor = firstFragment(pixel);
+  while (nextFragment(cursor, fragment))
+  {
+    vec4 shaded = unpackColor(fragment.color);
+    color += transmittanceBefore(visibility, fragment.depth) * shaded.a * shaded.rgb;
+#if EQUAL_DEPTHS
+    passNode(visibility, fragment.depth);
+#endif
+  }
+  if (unread != 0u || cursor != 0u)
+  {
+    leaveToLevel(pixel, LEVEL + 2u);
+    return false;
+  }
+  recordFragments(uint(count));
+  dropFragments(pixel);
+  return count > 0;
+}
+
+#include "Common/Resolve.glsl"

@@ -1,0 +1,17 @@
+// Bindings.glsl: the numbers of the buffer bindings, shared by the shaders and the C++ that fills the buffers.
+#ifndef Bindings_glsl
+#define Bindings_glsl
+
+#define STORAGE_BINDING_STATISTICS 0 // written by the resolve, see Statistics.glsl
+#define STORAGE_BINDING_COUNTERS 1   // fragment storage: what was allocated
+#define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel
+#define STORAGE_BINDING_FRAGMENTS 3  // fragment storage: the fragments
+#define STORAGE_BINDINGS 4
+
+#define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
+
+#define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
+#define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout
+#define UNIFORM_BINDINGS 2
+
+#endif

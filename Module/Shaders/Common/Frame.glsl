@@ -1,0 +1,15 @@
+// Frame.glsl: what holds for the whole tile that is being drawn.
+//
+// Gives, in window pixels (x, y, width, height): frameTile, the rectangle that is drawn now: the viewport, or a part of it
+// when the viewport does not fit into the memory limit; frameViewport, OpenGL's viewport.
+#ifndef Frame_glsl
+#define Frame_glsl
+#include "Common/Bindings.glsl"
+
+layout(std140, binding = UNIFORM_BINDING_FRAME) uniform TranslucencyFrame
+{
+  ivec4 frameTile;
+  ivec4 frameViewport;
+};
+
+#endif

@@ -1,0 +1,29 @@
+// Order.glsl: which of two fragments is in front.
+//
+// The nearer one. Of two at the same depth, the one drawn later, as blending in drawing order would have it, where the
+// driver keeps that order; elsewhere the order in which fragments arrive changes from run to run, and their contents decide:
+// equal contents may be exchanged without a difference.
+//
+// Needs: FRAGMENT_ORDER (FRAGMENT_ORDER_DRAWN or FRAGMENT_ORDER_CONTENT).  Gives: inFront.
+#ifndef Order_glsl
+#define Order_glsl
+#ifndef FRAGMENT_ORDER
+#error "Order.glsl needs FRAGMENT_ORDER"
+#endif
+
+#define FRAGMENT_ORDER_DRAWN 0
+#define FRAGMENT_ORDER_CONTENT 1
+
+// age counts back from the fragment that was drawn last.
+bool inFront(float depthA, uvec2 colorA, uint ageA, float depthB, uvec2 colorB, uint ageB)
+{
+#if FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN
+  return depthA < depthB || (depthA == depthB && ageA < ageB);
+#else
+  return depthA < depthB ||
+    (depthA == depthB &&
+      (colorA.x < colorB.x || (colorA.x == colorB.x && colorA.y < colorB.y)));
+#endif
+}
+
+#endif

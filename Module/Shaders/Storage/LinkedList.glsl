@@ -1,0 +1,136 @@
+// LinkedList.glsl: one linked list of fragments a pixel, the last drawn first (Yang et al. 2010).
+//
+// A new node comes from the range of nodes that its cell of pixels owns; vtkLinkedListStorage.h says why. A cell's counter
+// begins at the range's first node. Counting goes on when the range is used up, into the next cell's nodes or past the last one,
+// so that the application knows what was needed: it then draws again. Node n is called n + 1, so that 0 ends a list.
+//
+// Writes need no memory barrier among each other: each node is written by the one invocation that was given it, and only the
+// atomic operations meet. The barrier between writing and reading is the application's.
+//
+// Needs: COLOR_FORMAT.  Gives: storeFragment, firstFragment, nextFragment, dropFragments, squareFragments, and for
+// sorting: loadNode, linkNode, setFirstFragment.
+#ifndef LinkedList_glsl
+#define LinkedList_glsl
+#include "Common/Bindings.glsl"
+#include "Common/Fragment.glsl"
+#include "Common/Frame.glsl"
+#include "Storage/LinkedListLayout.glsl"
+
+layout(std140, binding = UNIFORM_BINDING_STORAGE) uniform ListLayout
+{
+  uint listCellShift;
+  uint listCellsPerRow;
+  uint listNodeCount;
+};
+
+layout(std430, binding = STORAGE_BINDING_COUNTERS) buffer ListCounters
+{
+  uint listCounters[]; // the next node of each cell, LIST_COUNTER_STRIDE apart; behind it, the first one
+};
+
+layout(std430, binding = STORAGE_BINDING_TABLE) buffer ListHeads
+{
+  uint listHeads[];
+};
+
+layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer ListNodes
+{
+#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
+  uint listNodes[]; // next, depth, colour
+#else
+  uvec4 listNodes[]; // next, depth, colour
+#endif
+};
+
+uint headIndex(ivec2 pixel)
+{
+  ivec2 at = pixel - frameTile.xy;
+  return uint(at.y * frameTile.z + at.x);
+}
+
+void writeNode(uint index, uint next, Fragment fragment)
+{
+#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
+  listNodes[index * 3u] = next;
+  listNodes[index * 3u + 1u] = floatBitsToUint(fragment.depth);
+  listNodes[index * 3u + 2u] = fragment.color.x;
+#else
+  listNodes[index] = uvec4(next, floatBitsToUint(fragment.depth), fragment.color);
+#endif
+}
+
+uint counterOf(ivec2 pixel)
+{
+  uvec2 cell = uvec2(pixel - frameTile.xy) >> listCellShift;
+  return (cell.y * listCellsPerRow + cell.x) * LIST_COUNTER_STRIDE;
+}
+
+// About as many fragments as a fuller pixel of the square that begins at this one holds: half as many again as the mean of its
+// cell. 0 only if no pixel of the square holds a fragment; a cell is a whole number of squares.
+uint squareFragments(ivec2 pixel)
+{
+  uint counter = counterOf(pixel);
+  uint held = listCounters[counter] - listCounters[counter + 1u];
+  uint pixels = 1u << (2u * listCellShift);
+  return (3u * held / 2u + pixels - 1u) / pixels;
+}
+
+void storeFragment(ivec2 pixel, Fragment fragment)
+{
+  uint index = atomicAdd(listCounters[counterOf(pixel)], 1u);
+  if (index < listNodeCount)
+  {
+    uint next = atomicExchange(listHeads[headIndex(pixel)], index + 1u);
+    writeNode(index, next, fragment);
+  }
+}
+
+Fragment loadNode(uint node, out uint next)
+{
+#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
+  uint word = (node - 1u) * 3u;
+  next = listNodes[word];
+  return Fragment(uintBitsToFloat(listNodes[word + 1u]), uvec2(listNodes[word + 2u], 0u));
+#else
+  uvec4 words = listNodes[node - 1u];
+  next = words.x;
+  return Fragment(uintBitsToFloat(words.y), words.zw);
+#endif
+}
+
+void linkNode(uint node, uint next)
+{
+#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
+  listNodes[(node - 1u) * 3u] = next;
+#else
+  listNodes[node - 1u].x = next;
+#endif
+}
+
+uint firstFragment(ivec2 pixel)
+{
+  return listHeads[headIndex(pixel)];
+}
+
+void setFirstFragment(ivec2 pixel, uint node)
+{
+  listHeads[headIndex(pixel)] = node;
+}
+
+// The pixel is done: whoever asks next finds no fragments.
+void dropFragments(ivec2 pixel)
+{
+  setFirstFragment(pixel, 0u);
+}
+
+bool nextFragment(inout uint cursor, out Fragment fragment)
+{
+  if (cursor == 0u)
+  {
+    return false;
+  }
+  fragment = loadNode(cursor, cursor);
+  return true;
+}
+
+#endif

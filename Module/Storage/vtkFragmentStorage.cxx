@@ -1,0 +1,80 @@
+#include "vtkFragmentStorage.h"
+
+#include "vtkTranslucencyCapabilities.h"
+#include "vtkTranslucencyOption.h"
+
+#include <limits>
+
+//------------------------------------------------------------------------------
+void vtkFragmentStorage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ColorFormat: " << (this->ColorFormat == RGBA8 ? "RGBA8" : "HalfFloat") << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStorage::SetColorFormat(int format)
+{
+  if (format != HalfFloat && format != RGBA8)
+  {
+    vtkErrorMacro(<< "ColorFormat is " << format << ", expected HalfFloat (0) or RGBA8 (1)");
+    return;
+  }
+  if (this->ColorFormat != format)
+  {
+    this->ColorFormat = format;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentStorage::SetMemoryLimit(double mebibytes)
+{
+  if (!(mebibytes >= 0))
+  {
+    vtkErrorMacro(<< "MemoryLimit is " << mebibytes
+                  << " MiB, expected a positive number, or 0 for the default");
+    return;
+  }
+  if (this->MemoryLimit != mebibytes)
+  {
+    this->MemoryLimit = mebibytes;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkFragmentStorage::GetOptions()
+{
+  using Kind = vtkTranslucencyOption::Kind;
+  return { { "ColorFormat", "color_format", Kind::Choice, 0, 0, 1, { "half-float", "rgba8" },
+             "how a fragment's colour is kept; rgba8 takes 12 bytes a fragment instead of 16, and loses opacities "
+             "near 1/255",
+             [this] { return this->GetColorFormat(); },
+             [this](double value) { this->SetColorFormat(static_cast<int>(value)); } },
+    { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
+      "graphics memory for fragments, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the "
+      "driver's memory, or 2048",
+      [this] { return this->GetMemoryLimit(); },
+      [this](double value) { this->SetMemoryLimit(value); } } };
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkFragmentStorage::GetDefines() const
+{
+  return { { "COLOR_FORMAT", this->ColorFormat == RGBA8 ? "COLOR_FORMAT_RGBA8"
+                                                        : "COLOR_FORMAT_HALF_FLOAT" } };
+}
+
+//------------------------------------------------------------------------------
+double vtkFragmentStorage::GetLimitBytes(const vtkTranslucencyCapabilities& capabilities) const
+{
+  constexpr double MiB = 1024.0 * 1024.0;
+  constexpr double Default = 2048;
+  if (this->MemoryLimit > 0)
+  {
+    return this->MemoryLimit * MiB;
+  }
+  return (capabilities.ReportedMemoryMiB > 0 ? capabilities.ReportedMemoryMiB / 4 : Default) * MiB;
+}

@@ -1,0 +1,119 @@
+/**
+ * @class   vtkFragmentStorage
+ * @brief   where the fragments of all pixels lie on the GPU
+ *
+ * Knows no technique. Core drives it, tile by tile (a tile is the viewport, or a part of it):
+ *
+ * 1. Begin: buffers of the size that the last frames needed, emptied and bound.
+ * 2. The geometry is drawn; the shaders call storeFragment (see Shaders/README.md for the contract).
+ * 3. End: reads what was allocated. Nothing is ever dropped: if fragments did not fit, the storage has grown and the tile
+ *    is drawn again, or, where it would pass the memory limit, the tile is cut into parts.
+ * 4. The technique's resolve reads the fragments.
+ */
+#ifndef vtkFragmentStorage_h
+#define vtkFragmentStorage_h
+
+#include "vtkObject.h"
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+
+#include <array>  // for Rectangle
+#include <map>    // for GetDefines
+#include <string> // for GetDefines
+#include <vector> // for GetOptions
+
+struct vtkTranslucencyCapabilities;
+struct vtkTranslucencyOption;
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkFragmentStorage : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkFragmentStorage, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ColorFormatType
+  {
+    HalfFloat = 0,
+    RGBA8 = 1
+  };
+
+  ///@{
+  /**
+   * How a fragment's colour and opacity are kept: HalfFloat (the default, 8 bytes: keeps opacities below 1/255 and colours
+   * above 1) or RGBA8 (4 bytes: each channel rounded to 1/255). Another value is an error and changes nothing.
+   */
+  void SetColorFormat(int format);
+  vtkGetMacro(ColorFormat, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most graphics memory that the storage may take, in MiB; more fragments than fit are drawn in tiles. 0 (the
+   * default) means a quarter of what the driver reports, or 2048 where it reports nothing. A negative value is an error and
+   * changes nothing; a limit that does not hold one row of pixels with one fragment each is an error when drawing.
+   */
+  void SetMemoryLimit(double mebibytes);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  std::vector<vtkTranslucencyOption> GetOptions();
+
+  /// A rectangle of window pixels: x, y, width, height.
+  using Rectangle = std::array<int, 4>;
+
+  enum class Outcome
+  {
+    Complete,    // all fragments of the tile are stored
+    Grown,       // not all fitted; the storage has grown: draw the tile again
+    TooLarge,    // they do not fit into the limit: cut the tile
+    OutOfMemory, // the driver has no memory, even for less than the limit
+  };
+
+  /// "Name" stands for the files Storage/Name.glsl (storeFragment, firstFragment, nextFragment) and Storage/NameSort.glsl
+  /// (sortFragments) of Module/Shaders; shaders include them as Storage/Selected.glsl and Storage/SelectedSort.glsl.
+  virtual const char* GetShaderName() const = 0;
+
+  /// What shaders that store or read fragments need defined.
+  virtual std::map<std::string, std::string> GetDefines() const;
+
+  /// Empty if the storage can serve a viewport of this size under the limit, else why not.
+  virtual std::string GetObstacle(
+    const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
+
+  /// Makes ready for a tile: OutOfMemory or Complete.
+  virtual Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) = 0;
+
+  /// After the geometry of the tile was drawn.
+  virtual Outcome End() = 0;
+
+  /// After TooLarge: how many parts of this tile would fit, if fragments were spread evenly; at least 2.
+  virtual int GetPartsNeeded() const = 0;
+
+  /// Fragments of the tile, after Complete.
+  virtual vtkTypeInt64 GetFragments() const = 0;
+
+  /// True if that many fragments of a viewport would be taken in one tile.
+  virtual bool Fits(vtkTypeInt64 fragments, const Rectangle& viewport,
+    const vtkTranslucencyCapabilities& capabilities) const = 0;
+
+  /// Bytes as allocated.
+  virtual vtkTypeInt64 GetBytes() const = 0;
+
+  /// Frees the buffers; the context must be current, unless it is gone.
+  virtual void Release(bool contextAlive) = 0;
+
+protected:
+  vtkFragmentStorage() = default;
+  ~vtkFragmentStorage() override = default;
+
+  /// The limit in force, in bytes.
+  double GetLimitBytes(const vtkTranslucencyCapabilities& capabilities) const;
+
+  int ColorFormat = HalfFloat;
+  double MemoryLimit = 0;
+
+private:
+  vtkFragmentStorage(const vtkFragmentStorage&) = delete;
+  void operator=(const vtkFragmentStorage&) = delete;
+};
+
+#endif
