@@ -55,9 +55,8 @@ bool vtkABufferPass::RenderStages(vtkTranslucencyFrame& frame)
   if (this->Resolve == Iterative)
   {
     return frame.Resolve("ABuffer/Iterative.glsl", { { "NEXT_LEVEL", "1u" } }, {}) &&
-      this->ResolveLongLists(frame, 1);
+      this->ResolveLongLists(frame, vtkTranslucencyFrame::Squares::LeftTo(1));
   }
   vtkTranslucencyFrame::Squares rest;
-  return this->ResolveShortLists(frame, VTK_INT_MAX, rest) &&
-    this->ResolveLongLists(frame, rest.Level);
+  return this->ResolveShortLists(frame, VTK_INT_MAX, rest) && this->ResolveLongLists(frame, rest);
 }

@@ -107,5 +107,5 @@ bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
       return false;
     }
   }
-  return this->ResolveLongLists(frame, rest.Level + 2);
+  return this->ResolveLongLists(frame, vtkTranslucencyFrame::Squares::LeftTo(rest.Level + 2));
 }

@@ -77,12 +77,10 @@ void vtkFragmentListPass::ReleaseTechniqueResources(bool contextAlive)
 bool vtkFragmentListPass::ResolveShortLists(
   vtkTranslucencyFrame& frame, int most, vtkTranslucencyFrame::Squares& rest)
 {
-  constexpr int largest = 32;
   rest = {};
-  for (int size = 8; size <= std::min(largest, most); size *= 2)
+  for (int size = 8; size <= std::min(32, most); size *= 2)
   {
-    // Where nothing else follows for squares of longer lists, the last size takes them, too.
-    rest.Most = size == largest && most == VTK_INT_MAX ? VTK_INT_MAX : size;
+    rest.Most = size;
     if (!frame.Resolve("ABuffer/ResolveShort.glsl",
           { { "BLOCK_SIZE", std::to_string(size) },
             { "NEXT_LEVEL", std::to_string(rest.Level + 1) + "u" } },
@@ -98,13 +96,23 @@ bool vtkFragmentListPass::ResolveShortLists(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFragmentListPass::ResolveLongLists(vtkTranslucencyFrame& frame, int level)
+bool vtkFragmentListPass::ResolveLongLists(
+  vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& rest)
 {
-  if (frame.GetHighestLevel() < level)
+  if (frame.GetHighestLevel() < rest.Level && this->Storage->GetMostExpected() <= rest.Fewer)
   {
     return true;
   }
-  const auto left = vtkTranslucencyFrame::Squares::LeftTo(level);
+  const auto left = vtkTranslucencyFrame::Squares::LeftTo(rest.Level + 1);
+  if (!frame.Resolve("ABuffer/ResolveRuns.glsl",
+        { { "NEXT_LEVEL", std::to_string(left.Level) + "u" } }, rest))
+  {
+    return false;
+  }
+  if (frame.GetHighestLevel() < left.Level)
+  {
+    return true;
+  }
   if (!frame.Resolve("ABuffer/SortRuns.glsl", {}, left))
   {
     return false;

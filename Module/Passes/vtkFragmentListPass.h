@@ -34,18 +34,18 @@ protected:
   ~vtkFragmentListPass() override;
 
   /**
-   * Draws, exactly and in registers, pixels of few fragments: up to 8, 16 and 32, as far as that is not more than most, which
-   * is VTK_INT_MAX if all lists are to be exact. rest is what is left: pixels of longer lists, and squares that are full of
-   * them.
+   * Draws, exactly and in registers, pixels of few fragments: up to 8, 16 and 32, as far as that is not more than most. rest is
+   * what is left: pixels of longer lists, and squares that are full of them.
    */
   bool ResolveShortLists(
     vtkTranslucencyFrame& frame, int most, vtkTranslucencyFrame::Squares& rest);
 
   /**
-   * Sorts and blends, exactly, the pixels that earlier resolves have left to this level: those with more fragments than
-   * registers or a driver's loops can take. The picture has no limit to the fragments of a pixel.
+   * Sorts and blends, exactly, what earlier resolves have left: pixels with more fragments than registers or a driver's loops
+   * can take. There is no limit to the fragments of a pixel.
    */
-  bool ResolveLongLists(vtkTranslucencyFrame& frame, int level);
+  bool ResolveLongLists(
+    vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& rest);
 
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;

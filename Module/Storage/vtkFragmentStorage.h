@@ -91,6 +91,10 @@ public:
   /// Fragments of the tile, after Complete.
   virtual vtkTypeInt64 GetFragments() const = 0;
 
+  /// About as many fragments as the fuller pixels of the fullest part of the tile hold, after Complete: the most that the
+  /// shaders' squareFragments gives.
+  virtual int GetMostExpected() const = 0;
+
   /// True if that many fragments of a viewport would be taken in one tile.
   virtual bool Fits(vtkTypeInt64 fragments, const Rectangle& viewport,
     const vtkTranslucencyCapabilities& capabilities) const = 0;

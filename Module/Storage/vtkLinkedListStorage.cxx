@@ -221,11 +221,13 @@ vtkFragmentStorage::Outcome vtkLinkedListStorage::End()
   layout.Counts.resize(this->Ranges.size());
   bool overflow = false;
   this->Fragments = 0;
+  this->FullestCell = 0;
   for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
   {
     layout.Counts[cell] =
       counters[cell * LIST_COUNTER_STRIDE] - counters[cell * LIST_COUNTER_STRIDE + 1];
     this->Fragments += layout.Counts[cell];
+    this->FullestCell = std::max(this->FullestCell, layout.Counts[cell]);
     overflow = overflow || layout.Counts[cell] > this->Ranges[cell];
   }
   if (!overflow)
@@ -249,6 +251,14 @@ int vtkLinkedListStorage::GetPartsNeeded() const
 vtkTypeInt64 vtkLinkedListStorage::GetFragments() const
 {
   return this->Fragments;
+}
+
+//------------------------------------------------------------------------------
+int vtkLinkedListStorage::GetMostExpected() const
+{
+  const vtkTypeInt64 pixels = vtkTypeInt64(1) << (2 * SmallestCellShift(this->Tile));
+  return static_cast<int>(
+    std::min<vtkTypeInt64>(VTK_INT_MAX, (3 * this->FullestCell / 2 + pixels - 1) / pixels));
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,7 @@ public:
   Outcome End() override;
   int GetPartsNeeded() const override;
   vtkTypeInt64 GetFragments() const override;
+  int GetMostExpected() const override;
   bool Fits(vtkTypeInt64 fragments, const Rectangle& viewport,
     const vtkTranslucencyCapabilities& capabilities) const override;
   vtkTypeInt64 GetBytes() const override;
@@ -82,6 +83,7 @@ private:
   vtkTypeInt64 NodesAllowed = 0;
   std::vector<vtkTypeInt64> Ranges; // of the current tile
   vtkTypeInt64 Fragments = 0;
+  vtkTypeInt64 FullestCell = 0;
 };
 
 #endif

@@ -4,7 +4,8 @@
 // lists). A run that was nearer the head keeps precedence among equals, which keeps the order of drawing. Each list belongs to
 // one invocation: nothing is shared. Loops take several nodes a round: drivers may limit the rounds of a loop.
 //
-// Needs: COLOR_FORMAT, FRAGMENT_ORDER.  Gives: sortRuns, mergeRuns.
+// Needs: COLOR_FORMAT, FRAGMENT_ORDER.  Gives: sortRuns, mergeRuns, and for lists that a resolve merges itself: SortedList,
+// startList, appendSortedRun, endList.
 #ifndef LinkedListSort_glsl
 #define LinkedListSort_glsl
 #define BLOCK_SIZE 32
@@ -13,41 +14,54 @@
 
 #define NODES_A_ROUND 8
 
-// The list that is being written.
+// A list that is being put into order from its head on.
 struct SortedList
 {
-  uint first;
+  uint first; // what is in order,
   uint last;
+  uint rest;  // and what is not yet
 };
+
+SortedList startList(ivec2 pixel)
+{
+  return SortedList(0u, 0u, firstFragment(pixel));
+}
+
+// Puts what is in order before the rest.
+void endList(SortedList list, ivec2 pixel)
+{
+  if (list.last != 0u)
+  {
+    linkNode(list.last, list.rest);
+    setFirstFragment(pixel, list.first);
+  }
+}
 
 void appendNode(inout SortedList list, uint node)
 {
-  if (list.last == 0u)
-  {
-    list.first = node;
-  }
-  else
+  if (list.last != 0u)
   {
     linkNode(list.last, node);
   }
+  list.first = list.last == 0u ? node : list.first;
   list.last = node;
 }
 
-// Takes up to 32 nodes from the list at cursor, sorted, and gives their number.
-uint appendSortedRun(inout SortedList list, inout uint cursor)
+// Takes up to 32 nodes from the rest and appends them, sorted. Gives the first of them, and how many they are.
+uint appendSortedRun(inout SortedList list, out uint length)
 {
   Block block;
   emptyBlock(block);
-  uint count = 0u;
+  length = 0u;
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
-    if (cursor != 0u)
+    if (list.rest != 0u)
     {
-      block.node[i] = cursor;
-      Fragment fragment = loadNode(cursor, cursor);
+      block.node[i] = list.rest;
+      Fragment fragment = loadNode(list.rest, list.rest);
       block.depth[i] = fragment.depth;
       block.color[i] = fragment.color;
-      ++count;
+      ++length;
     }
   }
   sortBlock(block);
@@ -58,34 +72,32 @@ uint appendSortedRun(inout SortedList list, inout uint cursor)
       appendNode(list, block.node[i]);
     }
   }
-  return count;
+  return block.node[0];
 }
 
-// Sorts the list in runs of 32. Gives the number of fragments; cursor is 0 unless the driver has ended the loop.
-uint sortRuns(ivec2 pixel, out uint cursor)
+// Sorts the list in runs of 32. Gives the number of fragments; unread is 0 unless the driver has ended the loop.
+uint sortRuns(ivec2 pixel, out uint unread)
 {
-  SortedList list = SortedList(0u, 0u);
+  SortedList list = startList(pixel);
   uint count = 0u;
-  cursor = firstFragment(pixel);
-  while (cursor != 0u)
+  while (list.rest != 0u)
   {
-    count += appendSortedRun(list, cursor);
+    uint length;
+    appendSortedRun(list, length);
+    count += length;
   }
-  if (count > 0u)
-  {
-    linkNode(list.last, 0u);
-    setFirstFragment(pixel, list.first);
-  }
+  unread = list.rest;
+  endList(list, pixel);
   return count;
 }
 
 // Merges runs of runLength in pairs. Gives 0 unless the driver has ended a loop.
 uint mergeRuns(ivec2 pixel, uint runLength)
 {
-  SortedList list = SortedList(0u, 0u);
-  uint a = firstFragment(pixel);
-  while (a != 0u)
+  SortedList list = startList(pixel);
+  while (list.rest != 0u)
   {
+    uint a = list.rest;
     uint b = a;
     uint leftA = 0u;
     while (b != 0u && leftA < runLength)
@@ -112,39 +124,38 @@ uint mergeRuns(ivec2 pixel, uint runLength)
     {
       for (int i = 0; i < NODES_A_ROUND; ++i)
       {
-        bool takeB = leftA == 0u ||
-          (leftB > 0u &&
-            inFront(headB.depth, headB.color, 1u, headA.depth, headA.color, 0u));
-        if (takeB && leftB > 0u)
+        if (leftA > 0u || leftB > 0u)
         {
-          appendNode(list, b);
-          b = nextB;
-          leftB = b == 0u ? 0u : leftB - 1u;
-          if (leftB > 0u)
+          bool takeB = leftA == 0u ||
+            (leftB > 0u && inFront(headB.depth, headB.color, 1u, headA.depth, headA.color, 0u));
+          appendNode(list, takeB ? b : a);
+          uint node = takeB ? nextB : nextA;
+          uint left = (takeB ? leftB : leftA) - 1u;
+          left = node == 0u ? 0u : left;
+          uint next = 0u;
+          Fragment head = Fragment(BLOCK_EMPTY, uvec2(0u));
+          if (left > 0u)
           {
-            headB = loadNode(b, nextB);
+            head = loadNode(node, next);
           }
-        }
-        else if (leftA > 0u)
-        {
-          appendNode(list, a);
-          a = nextA;
-          --leftA;
-          if (leftA > 0u)
-          {
-            headA = loadNode(a, nextA);
-          }
+          a = takeB ? a : node;
+          b = takeB ? node : b;
+          leftA = takeB ? leftA : left;
+          leftB = takeB ? left : leftB;
+          nextA = takeB ? nextA : next;
+          nextB = takeB ? next : nextB;
+          headA.depth = takeB ? headA.depth : head.depth;
+          headA.color = takeB ? headA.color : head.color;
+          headB.depth = takeB ? head.depth : headB.depth;
+          headB.color = takeB ? head.color : headB.color;
         }
       }
     }
-    a = b;
+    list.rest = b;
   }
-  if (list.last != 0u)
-  {
-    linkNode(list.last, 0u);
-    setFirstFragment(pixel, list.first);
-  }
-  return a;
+  uint unread = list.rest;
+  endList(list, pixel);
+  return unread;
 }
 
 #endif
