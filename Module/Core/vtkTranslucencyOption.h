@@ -5,11 +5,13 @@
 #ifndef vtkTranslucencyOption_h
 #define vtkTranslucencyOption_h
 
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+
 #include <functional>
 #include <string>
 #include <vector>
 
-struct vtkTranslucencyOption
+struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
 {
   enum class Kind
   {

@@ -1,0 +1,317 @@
+#include "Arguments.h"
+
+#include "BuiltInScenes.h"
+#include "Failure.h"
+#include "Picture.h"
+#include "Techniques.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <limits>
+#include <regex>
+
+namespace
+{
+const double Infinity = std::numeric_limits<double>::infinity();
+
+// Options as they are written, before they are put together.
+struct Written
+{
+  std::vector<std::string> Sources;
+  std::string SizeText;
+  std::string Background;
+  std::string Color;
+  double Opacity = -1;
+  std::string Volume = "automatic";
+  std::vector<double> Isovalues;
+  int Levels = Input().Levels;
+  int Smoothing = Input().Smoothing;
+  std::string SceneFile;
+  std::string Title;
+  double Azimuth = 0;
+  double Elevation = 0;
+  double Zoom = 1;
+};
+
+// CLI11's own Range lets "nan" through.
+CLI::Validator NumberIn(double least, double most, const std::string& range)
+{
+  const auto check = [least, most, range](const std::string& text)
+  {
+    double value = 0;
+    const bool valid = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+    return valid ? std::string() : "is '" + text + "', expected a number in " + range;
+  };
+  return CLI::Validator(check, range);
+}
+
+CLI::Validator SizeText()
+{
+  const auto check = [](const std::string& text)
+  {
+    static const std::regex form("0*[1-9][0-9]{0,8}x0*[1-9][0-9]{0,8}");
+    return std::regex_match(text, form)
+      ? std::string()
+      : "is '" + text + "', expected WIDTHxHEIGHT in pixels, both 1 or more";
+  };
+  return CLI::Validator(check, "WIDTHxHEIGHT");
+}
+
+std::array<int, 2> ToSize(const std::string& text)
+{
+  const std::size_t cross = text.find('x');
+  return { { std::stoi(text.substr(0, cross)), std::stoi(text.substr(cross + 1)) } };
+}
+
+void AddSceneOptions(CLI::App* command, Written& written)
+{
+  command->add_option("INPUT", written.Sources,
+    "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)");
+  command->add_option(
+    "--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds");
+  command->add_option("--title", written.Title, "what reports call the scene");
+
+  const std::string look = "Look of the INPUTs";
+  command->add_option("--color", written.Color, "colour of all: #rrggbb or a name")->group(look);
+  command->add_option("--opacity", written.Opacity, "opacity of all, 0 to 1")
+    ->check(NumberIn(0, 1, "0..1"))
+    ->group(look);
+  command
+    ->add_option("--volume", written.Volume,
+      "what volumes are: labels (one surface for each integer value), isosurfaces, or automatic")
+    ->check(CLI::IsMember({ "automatic", "labels", "isosurfaces" }))
+    ->group(look);
+  command->add_option("--isovalues", written.Isovalues, "values of the isosurfaces: A,B,...")
+    ->delimiter(',')
+    ->group(look);
+  command
+    ->add_option("--levels", written.Levels, "how many isosurfaces, where --isovalues does not say")
+    ->check(NumberIn(1, 32, "1..32"))
+    ->capture_default_str()
+    ->group(look);
+  command
+    ->add_option("--smooth", written.Smoothing, "iterations that smooth the surfaces of labels")
+    ->check(NumberIn(0, 200, "0..200"))
+    ->capture_default_str()
+    ->group(look);
+
+  const std::string view = "View";
+  command->add_option("--size", written.SizeText, "size of the picture, 1280x720 by default")
+    ->check(SizeText())
+    ->group(view);
+  command->add_option("--background", written.Background, "background: #rrggbb or a name")
+    ->group(view);
+  command->add_option("--azimuth", written.Azimuth, "degrees to go round the scene")
+    ->check(NumberIn(-Infinity, Infinity, "degrees"))
+    ->group(view);
+  command->add_option("--elevation", written.Elevation, "degrees to go up")
+    ->check(NumberIn(-89, 89, "-89..89"))
+    ->group(view);
+  command->add_option("--zoom", written.Zoom, "2 is twice as large")
+    ->check(NumberIn(0.001, 1000, "0.001..1000"))
+    ->group(view);
+}
+
+// A flag for each option of each technique.
+void AddTechniqueOptions(CLI::App* command, Arguments& arguments)
+{
+  struct Flag
+  {
+    std::string Techniques;
+    vtkTranslucencyOption Option;
+  };
+  std::vector<Flag> flags;
+  for (const TechniqueInfo& technique : ListTechniques())
+  {
+    for (const vtkTranslucencyOption& option : technique.Options)
+    {
+      const auto known = std::find_if(flags.begin(), flags.end(),
+        [&option](const Flag& flag) { return flag.Option.Keyword == option.Keyword; });
+      if (known == flags.end())
+      {
+        flags.push_back({ technique.Name, option });
+      }
+      else
+      {
+        known->Techniques += ", " + technique.Name;
+      }
+    }
+  }
+  for (const Flag& flag : flags)
+  {
+    const std::string keyword = flag.Option.Keyword;
+    command
+      ->add_option_function<std::string>(
+        FlagOf(flag.Option),
+        [&arguments, keyword](const std::string& value) { arguments.Settings[keyword] = value; },
+        flag.Option.Help + " [" + flag.Techniques + "]")
+      ->type_name(flag.Option.Range())
+      ->default_str(flag.Option.Format(flag.Option.Default))
+      ->group("Options of techniques");
+  }
+}
+
+void AddFrameOptions(CLI::App* command, BenchmarkSettings& frames)
+{
+  command->add_option("--frames", frames.Frames, "frames that are timed")
+    ->check(NumberIn(1, 100000, "1..100000"))
+    ->capture_default_str();
+  command->add_option("--warmup", frames.Warmup, "frames before that")
+    ->check(NumberIn(0, 100000, "0..100000"))
+    ->capture_default_str();
+}
+
+CLI::Option* AddTechniques(CLI::App* command, Arguments& arguments)
+{
+  return command
+    ->add_option("--techniques", arguments.Techniques,
+      "names, with options after colons: adaptive,adaptive:nodes=8:removal=mixed; all techniques "
+      "by default")
+    ->delimiter(',');
+}
+
+void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
+{
+  arguments.Frames = BenchmarkSettings();
+  auto* list = app.add_subcommand(
+    "list", "the techniques, their options, and whether this driver can run them");
+  list->add_flag("--json", arguments.Json, "as JSON");
+
+  auto* render = app.add_subcommand("render", "draw a picture by one technique");
+  AddSceneOptions(render, written);
+  render->add_option("-t,--technique", arguments.Techniques, "a name from 'translucency list'")
+    ->expected(1)
+    ->default_str("adaptive");
+  AddTechniqueOptions(render, arguments);
+  render->add_option("-o,--output", arguments.Output, "the picture: " + PictureSuffixes())
+    ->required();
+  render->footer(
+    "Examples:\n"
+    "  translucency render frogtissue.mhd -o frog.png\n"
+    "  translucency render skin.stl bones.stl --opacity 0.3 --technique exact -o body.png\n"
+    "  translucency render --scene frog.json --technique adaptive --nodes 8 --size 1920x1080 -o "
+    "frog.exr");
+
+  auto* compare = app.add_subcommand(
+    "compare", "draw by several techniques; pictures, differences and costs in a page");
+  AddSceneOptions(compare, written);
+  AddTechniques(compare, arguments);
+  compare->add_option("--reference", arguments.Reference, "the technique that is right")
+    ->capture_default_str();
+  AddFrameOptions(compare, arguments.Frames);
+  compare
+    ->add_option("-o,--output", arguments.Output,
+      "a folder for index.html, comparison.json, table.txt and the pictures")
+    ->required();
+  compare->footer(
+    "blend is always drawn too: what the others cost is told as a multiple of it.\n"
+    "Example:\n"
+    "  translucency compare --scene frog.json --techniques exact,adaptive:nodes=8,vtk-oit -o frog\n"
+    "  then open frog/index.html in a browser");
+
+  auto* bench = app.add_subcommand("bench", "time techniques in turn, in one process");
+  AddSceneOptions(bench, written);
+  AddTechniques(bench, arguments);
+  AddFrameOptions(bench, arguments.Frames);
+  bench->add_option("-o,--output", arguments.Output, "a JSON file");
+  bench->footer("Built-in scenes:\n" + BuiltInSceneHelp() +
+    "Example:\n"
+    "  translucency bench scene:rectangles:count=1200 --techniques exact,adaptive --frames 50 -o "
+    "times.json");
+
+  app.add_subcommand("schema", "print the JSON schema of scene files");
+}
+
+Input ToInput(const std::string& source, const Written& written)
+{
+  Input input;
+  input.Source = source;
+  if (!written.Color.empty())
+  {
+    input.Tint = ParseColor("--color", written.Color);
+  }
+  if (written.Opacity >= 0)
+  {
+    input.Opacity = written.Opacity;
+  }
+  input.Volume = written.Volume == "labels" ? Input::Meaning::Labels
+    : written.Volume == "isosurfaces"       ? Input::Meaning::Isosurfaces
+                                            : Input::Meaning::Automatic;
+  input.Isovalues = written.Isovalues;
+  input.Levels = written.Levels;
+  input.Smoothing = written.Smoothing;
+  return input;
+}
+
+void PutTogether(const CLI::App& command, const Written& written, Arguments& arguments)
+{
+  const std::map<std::string, Action> actions{ { "list", Action::List },
+    { "render", Action::Render }, { "compare", Action::Compare }, { "bench", Action::Bench },
+    { "schema", Action::Schema } };
+  arguments.Do = actions.at(command.get_name());
+  if (arguments.Do == Action::List || arguments.Do == Action::Schema)
+  {
+    return;
+  }
+  for (const std::string& source : written.Sources)
+  {
+    arguments.Inputs.push_back(ToInput(source, written));
+  }
+  const auto given = [&command](const std::string& name) { return command.count(name) > 0; };
+  if (given("--scene"))
+  {
+    arguments.SceneFile = written.SceneFile;
+  }
+  else if (arguments.Inputs.empty())
+  {
+    throw Failure("there is nothing to draw, expected an INPUT or --scene FILE");
+  }
+  arguments.Title = given("--title") ? std::optional<std::string>(written.Title) : std::nullopt;
+  arguments.Azimuth = given("--azimuth") ? std::optional<double>(written.Azimuth) : std::nullopt;
+  arguments.Elevation =
+    given("--elevation") ? std::optional<double>(written.Elevation) : std::nullopt;
+  arguments.Zoom = given("--zoom") ? std::optional<double>(written.Zoom) : std::nullopt;
+  if (given("--size"))
+  {
+    arguments.Size = ToSize(written.SizeText);
+  }
+  if (given("--background"))
+  {
+    arguments.Background = ParseColor("--background", written.Background);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<Arguments> ParseArguments(int argc, char** argv)
+{
+  Written written;
+  Arguments arguments;
+  CLI::App app("Draws translucent surfaces right, whatever the order in which they are drawn, and "
+               "shows what that costs.",
+    "translucency");
+  app.set_version_flag("--version", TRANSLUCENCY_VERSION);
+  app.require_subcommand(1);
+  app.footer("Start with:\n"
+             "  translucency list\n"
+             "  translucency render FILE -o picture.png\n"
+             "  translucency compare FILE -o folder      and open folder/index.html\n"
+             "'translucency COMMAND --help' says more of each command.");
+  DeclareCommands(app, written, arguments);
+  try
+  {
+    app.parse(argc, argv);
+    PutTogether(*app.get_subcommands().front(), written, arguments);
+  }
+  catch (const CLI::Success& answer) // --help, --version
+  {
+    app.exit(answer);
+    return {};
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw Failure(std::string(error.what()) + " (translucency --help)");
+  }
+  return arguments;
+}

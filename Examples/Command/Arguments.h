@@ -1,0 +1,52 @@
+/**
+ * The command line.
+ */
+#ifndef Arguments_h
+#define Arguments_h
+
+#include "Benchmark.h"
+#include "Inputs.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+enum class Action
+{
+  List,
+  Render,
+  Compare,
+  Bench,
+  Schema,
+};
+
+struct Arguments
+{
+  Action Do = Action::List;
+  bool Json = false; ///< list: as JSON
+
+  // what is drawn
+  std::vector<Input> Inputs;
+  std::optional<std::string> SceneFile;
+  std::optional<std::string> Title;
+  std::optional<std::array<int, 2>> Size;
+  std::optional<Color> Background;
+  std::optional<double> Azimuth;
+  std::optional<double> Elevation;
+  std::optional<double> Zoom;
+
+  // how
+  std::vector<std::string> Techniques;         ///< one for render; empty: all
+  std::map<std::string, std::string> Settings; ///< render: keyword and value
+  std::string Reference = "exact";
+  BenchmarkSettings Frames;
+
+  std::string Output; ///< a picture, a folder or a JSON file; empty for none
+};
+
+/// Reads the command line. Empty after --help and --version, which have then been answered; throws Failure.
+std::optional<Arguments> ParseArguments(int argc, char** argv);
+
+#endif

@@ -1,0 +1,36 @@
+/**
+ * Times of several techniques, taken in turn (A B C A B C ...), so that what disturbs the machine disturbs all alike.
+ */
+#ifndef Benchmark_h
+#define Benchmark_h
+
+#include "Stage.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+struct Timing
+{
+  std::vector<double> Frames; ///< milliseconds of each frame, in the order in which they were drawn
+  double LowerQuartile = 0;
+  double Median = 0;
+  double UpperQuartile = 0;
+  std::optional<double> RatioToBlend; ///< of the medians
+  std::optional<StageTimes> Stages;   ///< medians
+  FrameStatistics Statistics;         ///< of the last frame
+};
+
+struct BenchmarkSettings
+{
+  int Frames = 20;
+  int Warmup = 3;
+  int StageFrames =
+    3; ///< more frames, with timers: these cost time themselves, and so are no part of Frames
+};
+
+/// Times the techniques of these numbers.
+std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& techniques,
+  const std::vector<int>& numbers, const BenchmarkSettings& settings);
+
+#endif

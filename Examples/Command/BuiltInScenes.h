@@ -1,0 +1,19 @@
+/**
+ * Scenes made by the command itself, for measuring: the same on every machine, and of any depth.
+ */
+#ifndef BuiltInScenes_h
+#define BuiltInScenes_h
+
+#include <string>
+
+struct Input;
+struct Scene;
+
+/// If the input names a built-in scene, appends its parts (and sets the view that it is meant for) and returns true.
+/// Throws Failure if a name that begins with "scene:" is none, or one of its parameters is none.
+bool AddBuiltInScene(const Input& input, Scene& scene);
+
+/// One line of help for each.
+std::string BuiltInSceneHelp();
+
+#endif

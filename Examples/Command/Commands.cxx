@@ -1,0 +1,295 @@
+#include "Commands.h"
+
+#include "Arguments.h"
+#include "Embedded.h"
+#include "Failure.h"
+#include "OutputFiles.h"
+#include "Page.h"
+#include "Report.h"
+#include "SceneFile.h"
+#include "Stage.h"
+#include "TechniqueList.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+// What a command draws: the inputs and how they are seen; the parts are read by ReadParts.
+struct Task
+{
+  Scene Setting;
+  std::vector<Input> Inputs;
+  std::string Title;
+};
+
+Task MakeTask(const Arguments& arguments)
+{
+  Task task;
+  if (arguments.SceneFile)
+  {
+    const SceneFile file = ReadSceneFile(*arguments.SceneFile);
+    task.Setting = file.Setting;
+    task.Inputs = file.Inputs;
+    task.Title = file.Title;
+  }
+  task.Inputs.insert(task.Inputs.end(), arguments.Inputs.begin(), arguments.Inputs.end());
+  task.Setting.Size = arguments.Size.value_or(task.Setting.Size);
+  task.Setting.Background = arguments.Background.value_or(task.Setting.Background);
+  task.Setting.Eye.Azimuth = arguments.Azimuth.value_or(task.Setting.Eye.Azimuth);
+  task.Setting.Eye.Elevation = arguments.Elevation.value_or(task.Setting.Eye.Elevation);
+  task.Setting.Eye.Zoom = arguments.Zoom.value_or(task.Setting.Eye.Zoom);
+  task.Title = arguments.Title.value_or(task.Title);
+  for (const Input& input : task.Title.empty() ? task.Inputs : std::vector<Input>())
+  {
+    task.Title += (task.Title.empty() ? "" : ", ") + fs::path(input.Source).filename().string();
+  }
+  return task;
+}
+
+void ReadParts(Task& task)
+{
+  for (const Input& input : task.Inputs)
+  {
+    AddInput(input, task.Setting);
+  }
+}
+
+// The techniques as asked for, or all; then those that a report can't do without.
+std::vector<TechniqueChoice> ChooseTechniques(
+  const std::vector<std::string>& asked, const std::vector<std::string>& needed)
+{
+  std::vector<TechniqueChoice> choices;
+  const auto isThere = [&choices](const std::string& label)
+  {
+    return std::any_of(choices.begin(), choices.end(),
+      [&label](const TechniqueChoice& choice) { return choice.Label == label; });
+  };
+  for (const std::string& text : asked)
+  {
+    const TechniqueChoice choice = ChooseTechnique(text);
+    if (isThere(choice.Label))
+    {
+      throw Failure("technique '" + choice.Label + "' is named twice, expected once");
+    }
+    choices.push_back(choice);
+  }
+  for (const TechniqueInfo& technique :
+    asked.empty() ? ListTechniques() : std::vector<TechniqueInfo>())
+  {
+    choices.push_back(ChooseTechnique(technique.Name));
+  }
+  for (const std::string& text : needed)
+  {
+    const TechniqueChoice choice = ChooseTechnique(text);
+    if (!isThere(choice.Label))
+    {
+      choices.push_back(choice);
+    }
+  }
+  return choices;
+}
+
+std::string HelpOf(const TechniqueChoice& choice)
+{
+  for (const TechniqueInfo& technique : ListTechniques())
+  {
+    if (technique.Name == choice.Name)
+    {
+      return technique.Help;
+    }
+  }
+  return "";
+}
+
+// A file name for a technique with its options.
+std::string FileNameOf(const TechniqueChoice& choice)
+{
+  std::string name = choice.Label;
+  std::replace_if(
+    name.begin(), name.end(),
+    [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '_'; }, '-');
+  return name;
+}
+
+std::string Contents(const fs::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream contents;
+  contents << in.rdbuf();
+  return contents.str();
+}
+
+Report StartReport(const Task& task, const std::vector<TechniqueChoice>& techniques,
+  const BenchmarkSettings& settings, Stage& stage)
+{
+  Report report;
+  report.Title = task.Title;
+  for (const Input& input : task.Inputs)
+  {
+    report.Inputs.push_back(input.Source);
+  }
+  report.Size = task.Setting.Size;
+  report.Driver = stage.GetDriver();
+  report.Actors = task.Setting.Parts.size();
+  report.Triangles = CountTriangles(task.Setting);
+  report.Settings = settings;
+  for (const TechniqueChoice& technique : techniques)
+  {
+    ReportRow row;
+    row.Technique = technique;
+    row.Help = HelpOf(technique);
+    report.Rows.push_back(row);
+  }
+  return report;
+}
+
+std::vector<int> AddAll(
+  const Scene& scene, const std::vector<TechniqueChoice>& techniques, Stage& stage)
+{
+  std::vector<int> numbers;
+  for (const TechniqueChoice& technique : techniques)
+  {
+    numbers.push_back(stage.Add(scene, technique));
+  }
+  return numbers;
+}
+
+void MeasureRows(const std::vector<TechniqueChoice>& techniques, const std::vector<int>& numbers,
+  Stage& stage, Report& report)
+{
+  const auto timings = Measure(stage, techniques, numbers, report.Settings);
+  for (std::size_t i = 0; i < timings.size(); ++i)
+  {
+    report.Rows[i].Times = timings[i];
+  }
+}
+
+void RunRender(const Arguments& arguments)
+{
+  CheckPictureSuffix(arguments.Output);
+  TechniqueChoice technique =
+    ChooseTechnique(arguments.Techniques.empty() ? "adaptive" : arguments.Techniques.front());
+  for (const auto& setting : arguments.Settings)
+  {
+    AddSetting(technique, setting.first, setting.second);
+  }
+  Task task = MakeTask(arguments);
+  Stage stage(task.Setting.Size);
+  ReadParts(task);
+  OutputFiles files;
+  const fs::path file = files.Add(arguments.Output);
+  stage.Draw(stage.Add(task.Setting, technique));
+  stage.Read().Write(file, arguments.Output);
+  files.Commit();
+}
+
+// Draws each technique's picture and writes it and its difference to the reference.
+std::map<std::string, std::string> DrawPictures(const std::vector<int>& numbers,
+  std::size_t reference, const fs::path& folder, Stage& stage, OutputFiles& files, Report& report)
+{
+  std::map<std::string, std::string> contents;
+  const auto write = [&](const Picture& picture, const std::string& name)
+  {
+    const fs::path file = files.Add(folder / name);
+    picture.Write(file, (folder / name).string());
+    contents[name] = Contents(file);
+  };
+  stage.Draw(numbers[reference]);
+  const Picture right = stage.Read();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    ReportRow& row = report.Rows[i];
+    stage.Draw(numbers[i]);
+    const Picture picture = stage.Read();
+    row.PictureFile = FileNameOf(row.Technique) + ".png";
+    write(picture, row.PictureFile);
+    if (i != reference)
+    {
+      row.ToReference = picture.CompareTo(right);
+      row.DifferenceFile = FileNameOf(row.Technique) + "-difference.png";
+      write(picture.AbsoluteDifference(right, 8), row.DifferenceFile);
+    }
+  }
+  return contents;
+}
+
+void RunCompare(const Arguments& arguments)
+{
+  const auto techniques = ChooseTechniques(arguments.Techniques, { arguments.Reference, "blend" });
+  const std::string reference = ChooseTechnique(arguments.Reference).Label;
+  std::size_t referenceRow = 0;
+  while (techniques[referenceRow].Label != reference)
+  {
+    ++referenceRow;
+  }
+  Task task = MakeTask(arguments);
+  Stage stage(task.Setting.Size);
+  ReadParts(task);
+
+  const fs::path folder = arguments.Output;
+  OutputFiles files;
+  files.AddFolder(folder);
+  const auto numbers = AddAll(task.Setting, techniques, stage);
+  Report report = StartReport(task, techniques, arguments.Frames, stage);
+  report.Reference = reference;
+  const auto pictures = DrawPictures(numbers, referenceRow, folder, stage, files, report);
+  MeasureRows(techniques, numbers, stage, report);
+
+  const std::string table = ToText(report);
+  files.AddText(folder / "table.txt", table);
+  files.AddText(folder / "comparison.json", ToJson(report).dump(2) + "\n");
+  files.AddText(folder / "index.html", ToPage(report, pictures));
+  files.Commit();
+  std::cout << table << "\nThe pictures side by side: " << (folder / "index.html").string() << "\n";
+}
+
+void RunBench(const Arguments& arguments)
+{
+  const auto techniques = ChooseTechniques(arguments.Techniques, { "blend" });
+  Task task = MakeTask(arguments);
+  Stage stage(task.Setting.Size);
+  ReadParts(task);
+  OutputFiles files;
+  const fs::path file = arguments.Output.empty() ? fs::path() : files.Add(arguments.Output);
+
+  const auto numbers = AddAll(task.Setting, techniques, stage);
+  Report report = StartReport(task, techniques, arguments.Frames, stage);
+  MeasureRows(techniques, numbers, stage, report);
+  if (!file.empty())
+  {
+    OutputFiles::Write(file, ToJson(report).dump(2) + "\n", arguments.Output);
+    files.Commit();
+  }
+  std::cout << ToText(report);
+}
+}
+
+//------------------------------------------------------------------------------
+void RunCommand(const Arguments& arguments)
+{
+  switch (arguments.Do)
+  {
+    case Action::List:
+      std::cout << TechniqueListText(arguments.Json);
+      break;
+    case Action::Render:
+      RunRender(arguments);
+      break;
+    case Action::Compare:
+      RunCompare(arguments);
+      break;
+    case Action::Bench:
+      RunBench(arguments);
+      break;
+    case Action::Schema:
+      std::cout << Embedded::SceneSchema;
+      break;
+  }
+}

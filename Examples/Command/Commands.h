@@ -1,0 +1,12 @@
+/**
+ * What the command's subcommands do.
+ */
+#ifndef Commands_h
+#define Commands_h
+
+struct Arguments;
+
+/// Does what was asked; throws Failure.
+void RunCommand(const Arguments& arguments);
+
+#endif

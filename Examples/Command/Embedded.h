@@ -1,0 +1,13 @@
+/**
+ * The text files that the command carries in itself.
+ */
+#ifndef Embedded_h
+#define Embedded_h
+
+namespace Embedded
+{
+extern const char* const SceneSchema;  ///< scene.schema.json
+extern const char* const PageTemplate; ///< page.mustache
+}
+
+#endif

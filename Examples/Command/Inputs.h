@@ -1,0 +1,48 @@
+/**
+ * What a user names as input, and how it becomes parts of a scene.
+ */
+#ifndef Inputs_h
+#define Inputs_h
+
+#include "Scene.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// One label of a label volume.
+struct LabelStyle
+{
+  std::string Name;
+  std::optional<Color> Tint;
+  std::optional<double> Opacity;
+};
+
+/// One input and how it is to look. What is not set is chosen by what the input holds.
+struct Input
+{
+  enum class Meaning
+  {
+    Automatic, ///< labels if the scalars are integers of few values, else isosurfaces
+    Labels,
+    Isosurfaces,
+  };
+
+  std::string Source; ///< a file, or the name of a built-in scene: "scene:spheres:count=40"
+  std::optional<Color> Tint;
+  std::optional<double> Opacity;
+  Meaning Volume = Meaning::Automatic;
+  std::vector<double> Isovalues;
+  int Levels = 4;                         ///< isosurfaces where no Isovalues are given
+  int Smoothing = 12;                     ///< iterations on the surfaces of labels
+  std::map<long long, LabelStyle> Labels; ///< if there are any, only these are shown
+};
+
+/// Reads the input and appends its parts to the scene; throws Failure.
+void AddInput(const Input& input, Scene& scene);
+
+/// The suffixes that are read, for messages and help: ".vtp .vtu ...".
+std::string InputSuffixes();
+
+#endif

@@ -1,0 +1,222 @@
+#include "Report.h"
+
+#include <functional>
+#include <iomanip>
+#include <sstream>
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+// A column of the table: what stands above, and what in each row.
+struct Column
+{
+  std::string Heading;
+  std::function<std::string(const ReportRow&)> Cell;
+};
+
+const std::string None = "-";
+
+std::string StageCell(const ReportRow& row, double StageTimes::*stage)
+{
+  return row.Times.Stages ? Fixed((*row.Times.Stages).*stage, 1) : None;
+}
+
+std::vector<Column> TimeColumns()
+{
+  return {
+    { "ms", [](const ReportRow& row) { return Fixed(row.Times.Median, 1); } },
+    { "quartiles",
+      [](const ReportRow& row)
+      { return Fixed(row.Times.LowerQuartile, 1) + ".." + Fixed(row.Times.UpperQuartile, 1); } },
+    { "x blend",
+      [](const ReportRow& row)
+      { return row.Times.RatioToBlend ? Fixed(*row.Times.RatioToBlend, 2) : None; } },
+    { "gather", [](const ReportRow& row) { return StageCell(row, &StageTimes::Gather); } },
+    { "resolve", [](const ReportRow& row) { return StageCell(row, &StageTimes::Resolve); } },
+  };
+}
+
+std::vector<Column> CountColumns()
+{
+  const auto known = [](const ReportRow& row, const std::string& text)
+  { return row.Times.Statistics.Known ? text : None; };
+  return {
+    { "fragments",
+      [=](const ReportRow& row) { return known(row, Grouped(row.Times.Statistics.Fragments)); } },
+    { "deepest",
+      [=](const ReportRow& row)
+      { return known(row, Grouped(row.Times.Statistics.DeepestPixel)); } },
+    { "MiB",
+      [=](const ReportRow& row) { return known(row, Fixed(row.Times.Statistics.Mebibytes, 1)); } },
+  };
+}
+
+std::vector<Column> DifferenceColumns()
+{
+  const auto cell = [](const std::function<std::string(const Difference&)>& format)
+  {
+    return [format](const ReportRow& row)
+    { return row.ToReference ? format(*row.ToReference) : None; };
+  };
+  return {
+    { "RMSE %", cell([](const Difference& d) { return Fixed(100 * d.Rmse, 3); }) },
+    { "PSNR dB",
+      cell([](const Difference& d) { return d.Psnr ? Fixed(*d.Psnr, 1) : std::string("same"); }) },
+    { "max/255", cell([](const Difference& d) { return std::to_string(d.Largest); }) },
+  };
+}
+
+void Append(std::vector<Column>& columns, const std::vector<Column>& more)
+{
+  columns.insert(columns.end(), more.begin(), more.end());
+}
+
+Json OptionsOf(const TechniqueChoice& choice)
+{
+  Json options = Json::object();
+  for (const auto& setting : choice.Settings)
+  {
+    options[setting.first] = setting.second;
+  }
+  return options;
+}
+
+void AddCounts(const FrameStatistics& statistics, Json& row)
+{
+  const bool known = statistics.Known;
+  row["fragments"] = known ? Json(statistics.Fragments) : Json();
+  row["deepest_pixel"] = known ? Json(statistics.DeepestPixel) : Json();
+  row["mebibytes"] = known ? Json(statistics.Mebibytes) : Json();
+  row["tiles"] = known ? Json(statistics.Tiles) : Json();
+  row["geometry_passes"] = known ? Json(statistics.GeometryPasses) : Json();
+  row["screen_passes"] = known ? Json(statistics.ScreenPasses) : Json();
+  row["shader_builds"] = known ? Json(statistics.ShaderBuilds) : Json();
+  row["fallback"] = statistics.Fallback.empty() ? Json() : Json(statistics.Fallback);
+}
+
+Json RowToJson(const ReportRow& row, bool comparison)
+{
+  const Timing& times = row.Times;
+  Json json;
+  json["technique"] = row.Technique.Label;
+  json["name"] = row.Technique.Name;
+  json["options"] = OptionsOf(row.Technique);
+  json["help"] = row.Help;
+  json["milliseconds"] = { { "median", times.Median }, { "lower_quartile", times.LowerQuartile },
+    { "upper_quartile", times.UpperQuartile }, { "frames", times.Frames } };
+  json["ratio_to_blend"] = times.RatioToBlend ? Json(*times.RatioToBlend) : Json();
+  json["gather_milliseconds"] = times.Stages ? Json(times.Stages->Gather) : Json();
+  json["resolve_milliseconds"] = times.Stages ? Json(times.Stages->Resolve) : Json();
+  AddCounts(times.Statistics, json);
+  if (comparison)
+  {
+    const auto& difference = row.ToReference;
+    json["rmse"] = difference ? Json(difference->Rmse) : Json();
+    json["psnr"] = difference && difference->Psnr ? Json(*difference->Psnr) : Json();
+    json["largest_difference"] = difference ? Json(difference->Largest) : Json();
+    json["picture"] = row.PictureFile;
+    json["difference_picture"] = row.DifferenceFile.empty() ? Json() : Json(row.DifferenceFile);
+  }
+  return json;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string Fixed(double number, int digits)
+{
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(digits) << number;
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+std::string Grouped(long long number)
+{
+  std::string digits = std::to_string(number);
+  for (int position = static_cast<int>(digits.size()) - 3; position > (number < 0 ? 1 : 0);
+       position -= 3)
+  {
+    digits.insert(position, ",");
+  }
+  return digits;
+}
+
+//------------------------------------------------------------------------------
+std::string ToText(const Report& report)
+{
+  std::vector<Column> columns{ { "technique",
+    [](const ReportRow& row)
+    {
+      const std::string& fallback = row.Times.Statistics.Fallback;
+      return row.Technique.Label + (fallback.empty() ? "" : " (by " + fallback + ")");
+    } } };
+  Append(columns, TimeColumns());
+  Append(columns, CountColumns());
+  if (!report.Reference.empty())
+  {
+    Append(columns, DifferenceColumns());
+  }
+
+  std::ostringstream out;
+  out << report.Title << ", " << report.Size[0] << "x" << report.Size[1] << ", " << report.Actors
+      << " actors, " << Grouped(report.Triangles) << " triangles, " << report.Driver << "\n"
+      << "times: medians of " << report.Settings.Frames << " frames after "
+      << report.Settings.Warmup << ", techniques in turn\n";
+  if (!report.Reference.empty())
+  {
+    out << "differences: to " << report.Reference << "\n";
+  }
+  std::vector<std::size_t> widths;
+  for (const Column& column : columns)
+  {
+    std::size_t width = column.Heading.size();
+    for (const ReportRow& row : report.Rows)
+    {
+      width = std::max(width, column.Cell(row).size());
+    }
+    widths.push_back(width);
+  }
+  const auto writeLine = [&](const std::function<std::string(const Column&)>& text)
+  {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+    {
+      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ")
+          << std::setw(static_cast<int>(widths[i])) << text(columns[i]);
+    }
+    out << "\n";
+  };
+  out << "\n";
+  writeLine([](const Column& column) { return column.Heading; });
+  for (const ReportRow& row : report.Rows)
+  {
+    writeLine([&row](const Column& column) { return column.Cell(row); });
+  }
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+Json ToJson(const Report& report)
+{
+  const bool comparison = !report.Reference.empty();
+  Json json;
+  json["kind"] = comparison ? "comparison" : "benchmark";
+  json["title"] = report.Title;
+  json["inputs"] = report.Inputs;
+  json["size"] = report.Size;
+  json["driver"] = report.Driver;
+  json["actors"] = report.Actors;
+  json["triangles"] = report.Triangles;
+  json["frames"] = report.Settings.Frames;
+  json["warmup"] = report.Settings.Warmup;
+  if (comparison)
+  {
+    json["reference"] = report.Reference;
+  }
+  json["techniques"] = Json::array();
+  for (const ReportRow& row : report.Rows)
+  {
+    json["techniques"].push_back(RowToJson(row, comparison));
+  }
+  return json;
+}

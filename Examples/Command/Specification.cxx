@@ -1,0 +1,74 @@
+#include "Specification.h"
+
+#include "Failure.h"
+
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+//------------------------------------------------------------------------------
+Specification::Specification(const std::string& text)
+  : Text(text)
+{
+  std::istringstream words(text);
+  std::getline(words, this->Name, ':');
+  std::string setting;
+  while (std::getline(words, setting, ':'))
+  {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size())
+    {
+      throw Failure("'" + setting + "' in '" + text + "' is not a setting, expected KEY=VALUE");
+    }
+    const std::string key = setting.substr(0, equals);
+    for (const auto& other : this->Settings)
+    {
+      if (other.first == key)
+      {
+        throw Failure("'" + key + "' is set twice in '" + text + "', expected once");
+      }
+    }
+    this->Settings.emplace_back(key, setting.substr(equals + 1));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Specification::CheckKeys(const std::vector<std::string>& known) const
+{
+  for (const auto& setting : this->Settings)
+  {
+    if (std::find(known.begin(), known.end(), setting.first) == known.end())
+    {
+      std::string names;
+      for (const std::string& name : known)
+      {
+        names += (names.empty() ? "" : ", ") + name;
+      }
+      throw Failure("'" + this->Name + "' has no option '" + setting.first + "', expected " +
+        (names.empty() ? "none: it has no options" : "one of: " + names));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int Specification::GetInteger(const std::string& key, int byDefault, int least, int most) const
+{
+  for (const auto& setting : this->Settings)
+  {
+    if (setting.first != key)
+    {
+      continue;
+    }
+    bool valid = false;
+    const double value = vtkVariant(setting.second).ToDouble(&valid);
+    if (!valid || value < least || value > most || value != std::floor(value))
+    {
+      throw Failure(key + " is '" + setting.second + "' in '" + this->Text +
+        "', expected an integer in " + std::to_string(least) + ".." + std::to_string(most));
+    }
+    return static_cast<int>(value);
+  }
+  return byDefault;
+}

@@ -1,0 +1,95 @@
+/**
+ * One off-screen window in which several techniques draw the same scene, one at a time.
+ *
+ * Each technique has a renderer, actors and mappers of its own, over the same meshes: to go from one to the next
+ * rebuilds no shader, so that frames of different techniques can be timed in turn.
+ */
+#ifndef Stage_h
+#define Stage_h
+
+#include "Picture.h"
+#include "Techniques.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkCamera;
+class vtkOpenGLRenderWindow;
+class vtkRenderWindow;
+class vtkRenderer;
+struct Scene;
+
+/// What a frame drew and cost, as far as the technique tells (VTK's own passes tell nothing).
+struct FrameStatistics
+{
+  bool Known = false;
+  long long Fragments = 0;
+  long long DeepestPixel = 0;
+  double Mebibytes = 0;
+  int Tiles = 0;
+  int GeometryPasses = 0;
+  int ScreenPasses = 0;
+  int ShaderBuilds = 0;
+  std::string Fallback; ///< what was drawn instead, if the driver could not run the technique
+};
+
+/// Milliseconds on the GPU.
+struct StageTimes
+{
+  double Gather = 0;
+  double Resolve = 0;
+};
+
+class Stage
+{
+public:
+  /// Opens a window; throws Failure if the driver can't draw pictures of that size.
+  explicit Stage(const std::array<int, 2>& size);
+  ~Stage();
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  /// One more technique that draws the scene; the number to name it by.
+  int Add(const Scene& scene, const TechniqueChoice& technique);
+
+  /// Draws a frame and waits for its end; milliseconds. Throws Failure if VTK reported an error.
+  double Draw(int technique);
+
+  /// What the technique's last frame drew.
+  FrameStatistics GetStatistics(int technique);
+
+  /// Draws a frame with timers on; nothing if the technique has none.
+  std::optional<StageTimes> DrawMeasured(int technique);
+
+  /// The frame drawn last.
+  Picture Read();
+
+  /// The driver's words for itself.
+  std::string GetDriver();
+
+  /// Empty if the driver can run the technique, else what it lacks.
+  std::string GetMissing(const std::string& technique);
+
+private:
+  vtkOpenGLRenderWindow* GetOpenGLWindow();
+
+  struct Player
+  {
+    TechniqueChoice Technique;
+    vtkSmartPointer<vtkRenderer> Renderer;
+    vtkSmartPointer<vtkRenderPass> Pass;
+  };
+  /// Throws Failure if VTK reported an error, or the technique gave way to another for a reason that is not the
+  /// driver's: its options are then not what they should be.
+  void CheckFrame(const Player& player);
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkCamera> Camera; // of all renderers
+  std::vector<Player> Players;
+};
+
+#endif

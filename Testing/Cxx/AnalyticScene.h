@@ -1,0 +1,68 @@
+/**
+ * Flat, unlit rectangles in parallel projection: a scene whose picture a few lines compute, whatever the techniques do.
+ *
+ * A unit of length is a pixel, edges lie on pixel borders, and depths are numbers that every float on the way to
+ * gl_FragCoord.z holds without rounding: coverage and order are beyond doubt.
+ */
+#ifndef AnalyticScene_h
+#define AnalyticScene_h
+
+#include "Picture.h"
+#include "Reference.h"
+
+#include <functional>
+#include <vector>
+
+class vtkRenderer;
+
+struct Rectangle
+{
+  int Left;
+  int Bottom;
+  int Right;    // one past the last pixel
+  int Top;      // one past the last pixel
+  double Depth; // window depth, a multiple of 1/65536
+  Reference::Color Rgb;
+  double Alpha;
+};
+
+/// Rectangles that are drawn by one actor, in this order. Where there are several, colours and opacities are multiples of
+/// 1/255, since VTK keeps those of cells in bytes.
+using Layer = std::vector<Rectangle>;
+
+/// How a pixel's translucent fragments, in the order of drawing, become its colour.
+using Compositor = std::function<Reference::Pixel(const std::vector<Reference::Fragment>&)>;
+
+struct AnalyticScene
+{
+  int Width = 400;
+  int Height = 300;
+  Reference::Color Background{ { 0, 0,
+    0 } }; // multiples of 1/255: the framebuffer holds it in bytes
+  std::vector<Rectangle> Opaque;
+  std::vector<Layer> Translucent; // in the order of drawing
+
+  /// The picture as it should be.
+  Picture Compute(const Compositor& composite) const;
+
+  /// Adds the actors and sets background and camera.
+  void AddTo(vtkRenderer* renderer) const;
+
+  /// The same with the translucent layers drawn the other way round.
+  AnalyticScene Reversed() const;
+
+  /// The same with colours and opacities rounded as a fragment storage rounds them.
+  AnalyticScene RoundedToHalf() const;
+  AnalyticScene RoundedToBytes() const;
+};
+
+/// Layers of random depth, colour and draw order, two thirds of them as large as the view, over a background of stripes and
+/// with an opaque rectangle in the middle of the depths.
+AnalyticScene RandomLayers(
+  int width, int height, unsigned int seed, int layers, double leastAlpha, double mostAlpha);
+
+/// Every cell of a grid has fragments of its own, uniform in depth, colour and opacity, over black.
+AnalyticScene RandomMosaic(
+  int width, int height, unsigned int seed, int fragments, double leastAlpha, double mostAlpha);
+
+#endif

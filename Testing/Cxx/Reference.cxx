@@ -1,0 +1,177 @@
+#include "Reference.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace Reference
+{
+//------------------------------------------------------------------------------
+Color Pixel::Over(const Color& opaque) const
+{
+  Color result;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    result[c] = this->Rgb[c] + this->Transmittance * opaque[c];
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+VisibilityFunction::VisibilityFunction(int nodeCount, Removal removal, std::vector<Node> nodes)
+  : NodeCount(static_cast<std::size_t>(nodeCount))
+  , Rule(removal)
+  , Nodes(std::move(nodes))
+{
+}
+
+//------------------------------------------------------------------------------
+double VisibilityFunction::AfterNodes(std::size_t count) const
+{
+  return count == 0 ? 1 : this->Nodes[count - 1].Transmittance;
+}
+
+//------------------------------------------------------------------------------
+void VisibilityFunction::Insert(double depth, double alpha)
+{
+  const auto at = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), depth,
+    [](double z, const Node& node) { return z < node.Depth; });
+  const std::size_t index = static_cast<std::size_t>(at - this->Nodes.begin());
+  this->Nodes.insert(at, { depth, this->AfterNodes(index) });
+  for (std::size_t behind = index; behind < this->Nodes.size(); ++behind)
+  {
+    this->Nodes[behind].Transmittance *= 1 - alpha;
+  }
+  if (this->Nodes.size() > this->NodeCount)
+  {
+    this->RemoveOne();
+  }
+}
+
+//------------------------------------------------------------------------------
+void VisibilityFunction::RemoveOne()
+{
+  const std::size_t last = this->Nodes.size() - 1;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t removed = 0;
+  bool lowersPrevious = false;
+  const auto consider = [&](double area, std::size_t node, bool lowers)
+  {
+    if (area < least)
+    {
+      least = area;
+      removed = node;
+      lowersPrevious = lowers;
+    }
+  };
+  for (std::size_t j = 0; j <= last; ++j)
+  {
+    const double step = this->AfterNodes(j) - this->Nodes[j].Transmittance;
+    if (this->Rule != Removal::Overestimate && j > 0)
+    {
+      consider(step * (this->Nodes[j].Depth - this->Nodes[j - 1].Depth), j, true);
+    }
+    if (this->Rule != Removal::Underestimate && j < last)
+    {
+      consider(step * (this->Nodes[j + 1].Depth - this->Nodes[j].Depth), j, false);
+    }
+  }
+  if (lowersPrevious)
+  {
+    this->Nodes[removed - 1].Transmittance = this->Nodes[removed].Transmittance;
+  }
+  this->Nodes.erase(this->Nodes.begin() + static_cast<std::ptrdiff_t>(removed));
+}
+
+//------------------------------------------------------------------------------
+double VisibilityFunction::Before(double depth) const
+{
+  std::size_t nearer = 0;
+  while (nearer < this->Nodes.size() && this->Nodes[nearer].Depth < depth)
+  {
+    ++nearer;
+  }
+  return this->AfterNodes(nearer);
+}
+
+//------------------------------------------------------------------------------
+double VisibilityFunction::BeforeNext(double depth)
+{
+  std::size_t inFront = 0;
+  std::size_t passed = this->Asked[depth]++;
+  for (const Node& node : this->Nodes)
+  {
+    if (node.Depth < depth)
+    {
+      ++inFront;
+    }
+    else if (node.Depth == depth && passed > 0)
+    {
+      ++inFront;
+      --passed;
+    }
+  }
+  return this->AfterNodes(inFront);
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeExact(std::vector<Fragment> fragments)
+{
+  // Stable: of equal depths, the one drawn first is blended first, and so is behind.
+  std::stable_sort(fragments.begin(), fragments.end(),
+    [](const Fragment& a, const Fragment& b) { return a.Depth > b.Depth; });
+  Pixel pixel;
+  for (const Fragment& fragment : fragments)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pixel.Rgb[c] = fragment.Alpha * fragment.Rgb[c] + (1 - fragment.Alpha) * pixel.Rgb[c];
+    }
+    pixel.Transmittance *= 1 - fragment.Alpha;
+  }
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeIterative(const std::vector<Fragment>& fragments)
+{
+  Pixel pixel;
+  for (std::size_t i = 0; i < fragments.size(); ++i)
+  {
+    double visibility = 1;
+    for (std::size_t j = 0; j < fragments.size(); ++j)
+    {
+      const bool inFront = fragments[j].Depth < fragments[i].Depth ||
+        (fragments[j].Depth == fragments[i].Depth && j > i);
+      visibility *= inFront ? 1 - fragments[j].Alpha : 1;
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pixel.Rgb[c] += visibility * fragments[i].Alpha * fragments[i].Rgb[c];
+    }
+    pixel.Transmittance *= 1 - fragments[i].Alpha;
+  }
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal)
+{
+  VisibilityFunction visibility(nodeCount, removal);
+  for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
+  {
+    visibility.Insert(fragment->Depth, fragment->Alpha);
+  }
+  Pixel pixel;
+  for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
+  {
+    const double weight = visibility.BeforeNext(fragment->Depth) * fragment->Alpha;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pixel.Rgb[c] += weight * fragment->Rgb[c];
+    }
+    pixel.Transmittance *= 1 - fragment->Alpha;
+  }
+  return pixel;
+}
+}

@@ -1,0 +1,90 @@
+/**
+ * What a pixel's colour should be, computed on the CPU in double precision, straight from Salvi et al. 2011, "Adaptive
+ * Transparency". Written for being easily checked against the paper; shares nothing with the shaders that it judges.
+ *
+ * Fragments are given in the order in which they are drawn. Of two fragments of equal depth, the one drawn later is in
+ * front.
+ */
+#ifndef Reference_h
+#define Reference_h
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace Reference
+{
+using Color = std::array<double, 3>;
+
+struct Fragment
+{
+  double Depth;
+  Color Rgb; // not multiplied by Alpha
+  double Alpha;
+};
+
+struct Pixel
+{
+  Color Rgb{ { 0, 0,
+    0 } }; // multiplied by what hides it; to be added to Transmittance times what lies behind
+  double Transmittance = 1;
+
+  /// The pixel in front of something opaque.
+  Color Over(const Color& opaque) const;
+};
+
+enum class Removal
+{
+  Underestimate,
+  Overestimate,
+  Mixed
+};
+
+struct Node
+{
+  double Depth;
+  double Transmittance; // behind Depth, up to the next node
+};
+
+/**
+ * vis(z) of section 3: a step function of at most NodeCount nodes, front to back.
+ */
+class VisibilityFunction
+{
+public:
+  VisibilityFunction(int nodeCount, Removal removal, std::vector<Node> nodes = {});
+
+  /// Multiplies with the step of a fragment (Eq. 5), behind the nodes of the same depth; removes a node (Eq. 7) if there
+  /// are then too many.
+  void Insert(double depth, double alpha);
+
+  /// The transmittance before all nodes at this depth or farther (Eq. 6).
+  double Before(double depth) const;
+
+  /// As Before, for the fragments of one depth one after the other in the order of their insertion: each but the first
+  /// has a node of that depth more in front of it.
+  double BeforeNext(double depth);
+
+  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+
+private:
+  void RemoveOne();
+  double AfterNodes(std::size_t count) const;
+
+  std::size_t NodeCount;
+  Removal Rule;
+  std::vector<Node> Nodes;
+  std::map<double, std::size_t> Asked; // fragments of a depth that BeforeNext has answered
+};
+
+/// Eq. 3: sort back to front, then blend one over the other.
+Pixel CompositeExact(std::vector<Fragment> fragments);
+
+/// Eq. 2 and 4: weight each with the product of what all in front of it let through.
+Pixel CompositeIterative(const std::vector<Fragment>& fragments);
+
+/// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first.
+Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal);
+}
+
+#endif

@@ -1,0 +1,137 @@
+#include "RenderTest.h"
+
+#include <vtkLogger.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOutputWindow.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkTranslucencyCapabilities.h>
+#include <vtkTranslucencyPass.h>
+
+namespace
+{
+/// Keeps VTK's messages instead of showing them.
+class MessageLog : public vtkOutputWindow
+{
+public:
+  static MessageLog* New();
+  vtkTypeMacro(MessageLog, vtkOutputWindow);
+
+  void DisplayText(const char* text) override { this->Messages.emplace_back(text); }
+
+  std::vector<std::string> Messages;
+};
+vtkStandardNewMacro(MessageLog);
+
+MessageLog* Log()
+{
+  static vtkNew<MessageLog> log;
+  return log;
+}
+
+/// Stays connected to the display while tests come and go: an X server that loses its last client resets itself, and turns
+/// away who comes in meanwhile.
+class Display : public testing::Environment
+{
+public:
+  void SetUp() override
+  {
+    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Window->SetOffScreenRendering(true);
+    this->Window->SetSize(1, 1);
+    this->Window->Render();
+  }
+  void TearDown() override { this->Window = nullptr; }
+
+private:
+  vtkSmartPointer<vtkRenderWindow> Window;
+};
+
+const testing::Environment* const Connected = testing::AddGlobalTestEnvironment(new Display);
+}
+
+//------------------------------------------------------------------------------
+View::View(int width, int height, int samples)
+{
+  this->Window->SetOffScreenRendering(true);
+  this->Window->SetMultiSamples(samples);
+  this->Window->SetSize(width, height);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+View::View(const AnalyticScene& scene, int samples)
+  : View(scene.Width, scene.Height, samples)
+{
+  scene.AddTo(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+void View::SetTranslucentPass(vtkRenderPass* pass)
+{
+  vtkNew<vtkRenderStepsPass> steps;
+  steps->SetTranslucentPass(pass);
+  this->Renderer->SetPass(steps);
+}
+
+//------------------------------------------------------------------------------
+Picture View::Render()
+{
+  this->Window->Render();
+  return Capture(this->Window);
+}
+
+//------------------------------------------------------------------------------
+void RenderTest::SetUp()
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // the log is shown where it matters
+  vtkOutputWindow::SetInstance(Log());
+  Log()->Messages.clear();
+}
+
+//------------------------------------------------------------------------------
+void RenderTest::TearDown()
+{
+  for (const std::string& message : TakeMessages())
+  {
+    ADD_FAILURE() << "VTK says: " << message;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> RenderTest::TakeMessages()
+{
+  return std::exchange(Log()->Messages, {});
+}
+
+//------------------------------------------------------------------------------
+bool KeepsDrawOrder(View& view)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(view.Window);
+  window->MakeCurrent();
+  return vtkTranslucencyCapabilities::Probe(window).KeepsDrawOrder;
+}
+
+//------------------------------------------------------------------------------
+Picture Draw(const AnalyticScene& scene, vtkTranslucencyPass* pass)
+{
+  View view(scene);
+  view.SetPass(pass);
+  return view.Render();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAdaptiveTransparencyPass> NewAdaptive(int nodeCount, Reference::Removal removal)
+{
+  auto pass = vtkSmartPointer<vtkAdaptiveTransparencyPass>::New();
+  pass->SetNodeCount(nodeCount);
+  pass->SetNodeRemoval(static_cast<int>(removal));
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+Compositor AdaptiveCompositor(int nodeCount, Reference::Removal removal)
+{
+  return [=](const std::vector<Reference::Fragment>& fragments)
+  { return Reference::CompositeAdaptive(fragments, nodeCount, removal); };
+}

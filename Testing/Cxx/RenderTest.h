@@ -1,0 +1,68 @@
+/**
+ * What tests that draw have in common: off-screen views, and VTK's messages, which fail a test that did not expect them.
+ */
+#ifndef RenderTest_h
+#define RenderTest_h
+
+#include "AnalyticScene.h"
+#include "Picture.h"
+
+#include <vtkABufferPass.h>
+#include <vtkAdaptiveTransparencyPass.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+class vtkTranslucencyPass;
+
+/// An off-screen window with one renderer.
+class View
+{
+public:
+  View(int width, int height, int samples = 0);
+  explicit View(const AnalyticScene& scene, int samples = 0);
+
+  /// Draws with the pass as the renderer's own.
+  void SetPass(vtkRenderPass* pass) { this->Renderer->SetPass(pass); }
+
+  /// Draws with the pass as the translucent one of vtkRenderStepsPass.
+  void SetTranslucentPass(vtkRenderPass* pass);
+
+  Picture Render();
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+};
+
+/// VTK's errors and warnings since the start of the test.
+class RenderTest : public testing::Test
+{
+protected:
+  void SetUp() override;
+
+  /// Fails if a message was not expected.
+  void TearDown() override;
+
+  /// The messages so far, which the test expects and takes over.
+  static std::vector<std::string> TakeMessages();
+};
+
+/// True if the driver behind a view that has rendered keeps the order of drawing among the fragments of a pixel.
+bool KeepsDrawOrder(View& view);
+
+/// Draws a scene once by a pass.
+Picture Draw(const AnalyticScene& scene, vtkTranslucencyPass* pass);
+
+/// A new adaptive pass.
+vtkSmartPointer<vtkAdaptiveTransparencyPass> NewAdaptive(int nodeCount, Reference::Removal removal);
+
+/// The reference's compositor for such a pass.
+Compositor AdaptiveCompositor(int nodeCount, Reference::Removal removal);
+
+#endif

@@ -1,0 +1,31 @@
+/**
+ * Module/Shaders/Common/SortBlock.glsl, compiled as C++, once for each size of a block and each order among fragments of equal
+ * depth.
+ */
+#ifndef SortShader_h
+#define SortShader_h
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+struct SortedFragment
+{
+  float Depth;
+  std::uint32_t Color[2];
+  std::uint32_t Node; // where the fragment was before sorting, from 1
+};
+
+struct SortVariant
+{
+  int BlockSize;
+  std::string Order; // "Drawn" or "Content"
+
+  /// Sorts up to BlockSize fragments; gives back the block's elements in use, in their order.
+  std::vector<SortedFragment> (*Sort)(const std::vector<SortedFragment>& fragments);
+};
+
+/// All that were compiled.
+const std::vector<SortVariant>& SortVariants();
+
+#endif

@@ -1,0 +1,73 @@
+// What is drawn by a driver that lacks what the storage needs: CMakeLists.txt runs this with one extension switched off in
+// Mesa at a time.
+#include "RenderTest.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkTranslucencyStatistics.h>
+
+#include <cstdlib>
+
+class TestFallback : public RenderTest
+{
+protected:
+  void SetUp() override
+  {
+    RenderTest::SetUp();
+    const char* overridden = std::getenv("MESA_EXTENSION_OVERRIDE");
+    ASSERT_TRUE(overridden) << "to be run with MESA_EXTENSION_OVERRIDE=-GL_...";
+    this->Extension = overridden + 1;
+  }
+
+  std::string Extension;
+};
+
+//------------------------------------------------------------------------------
+TEST_F(TestFallback, WarnsOnceAndPeels)
+{
+  const AnalyticScene scene = RandomLayers(200, 160, 71, 20, 0.1, 0.6);
+  const Picture exact = scene.Compute(Reference::CompositeExact);
+  View view(scene);
+  vtkNew<vtkAdaptiveTransparencyPass> pass;
+  view.SetPass(pass);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    const PictureDifference difference = Compare(view.Render(), exact);
+    EXPECT_LE(difference.Largest, 4) << difference; // peeling accumulates in bytes
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
+  }
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("Warning"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find("lacks " + this->Extension), std::string::npos) << messages[0];
+  EXPECT_NE(
+    pass->GetMissing(vtkOpenGLRenderWindow::SafeDownCast(view.Window)).find(this->Extension),
+    std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestFallback, PeelsTheSameAmongRenderSteps)
+{
+  const AnalyticScene scene = RandomLayers(200, 160, 71, 20, 0.1, 0.6);
+  View view(scene);
+  vtkNew<vtkABufferPass> pass;
+  view.SetTranslucentPass(pass);
+  const PictureDifference difference =
+    Compare(view.Render(), scene.Compute(Reference::CompositeExact));
+  EXPECT_LE(difference.Largest, 4) << difference;
+  EXPECT_EQ(TakeMessages().size(), 1u);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestFallback, DrawsSomethingWithMultiSampling)
+{
+  const AnalyticScene scene = RandomLayers(200, 160, 71, 20, 0.1, 0.6);
+  AnalyticScene opaque = scene;
+  opaque.Translucent.clear();
+  View view(scene, 4);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const double changed =
+    Compare(view.Render(), opaque.Compute(Reference::CompositeExact)).RootMeanSquare;
+  EXPECT_GT(changed, 0.05) << "nothing translucent was drawn";
+  EXPECT_EQ(TakeMessages().size(), 1u);
+}

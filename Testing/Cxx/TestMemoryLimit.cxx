@@ -1,0 +1,110 @@
+// A limit on memory changes how often the scene is drawn, never the picture.
+#include "RenderTest.h"
+
+#include <vtkFragmentStorage.h>
+#include <vtkTranslucencyStatistics.h>
+
+namespace
+{
+struct Limited
+{
+  std::string Name;
+  std::function<vtkSmartPointer<vtkFragmentListPass>()> New;
+  int ColorFormat;
+  double MiB;
+};
+
+void PrintTo(const Limited& value, std::ostream* os)
+{
+  *os << value.Name;
+}
+
+constexpr double MiB = 1024.0 * 1024.0;
+}
+
+class TestMemoryLimit
+  : public RenderTest
+  , public testing::WithParamInterface<Limited>
+{
+};
+
+//------------------------------------------------------------------------------
+TEST_P(TestMemoryLimit, ChangesNoPixel)
+{
+  const AnalyticScene scene = RandomLayers(400, 300, 13, 60, 0.02, 0.5);
+  const auto free = GetParam().New();
+  free->GetStorage()->SetColorFormat(GetParam().ColorFormat);
+  const Picture whole = Draw(scene, free);
+  EXPECT_EQ(free->GetStatistics()->GetTiles(), 1);
+
+  View view(scene);
+  const auto limited = GetParam().New();
+  limited->GetStorage()->SetColorFormat(GetParam().ColorFormat);
+  limited->GetStorage()->SetMemoryLimit(GetParam().MiB);
+  view.SetPass(limited);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    EXPECT_EQ(Compare(whole, view.Render()).Largest, 0) << "frame " << frame;
+    EXPECT_GT(limited->GetStatistics()->GetTiles(), 1);
+    EXPECT_EQ(limited->GetStatistics()->GetFragments(), free->GetStatistics()->GetFragments());
+    EXPECT_LE(limited->GetStorage()->GetBytes(), GetParam().MiB * MiB);
+  }
+}
+
+namespace
+{
+template <typename Pass>
+vtkSmartPointer<vtkFragmentListPass> New()
+{
+  return vtkSmartPointer<Pass>::New();
+}
+}
+
+INSTANTIATE_TEST_SUITE_P(Limits, TestMemoryLimit,
+  testing::Values(Limited{ "ExactHalf1MiB", New<vtkABufferPass>, vtkFragmentStorage::HalfFloat, 1 },
+    Limited{ "ExactBytes1MiB", New<vtkABufferPass>, vtkFragmentStorage::RGBA8, 1 },
+    Limited{ "ExactHalf10MiB", New<vtkABufferPass>, vtkFragmentStorage::HalfFloat, 10 },
+    Limited{ "ExactHalf50KiB", New<vtkABufferPass>, vtkFragmentStorage::HalfFloat, 0.05 },
+    Limited{
+      "AdaptiveHalf1MiB", New<vtkAdaptiveTransparencyPass>, vtkFragmentStorage::HalfFloat, 1 },
+    Limited{ "AdaptiveBytes1MiB", New<vtkAdaptiveTransparencyPass>, vtkFragmentStorage::RGBA8, 1 }),
+  [](const auto& info) { return info.param.Name; });
+
+//------------------------------------------------------------------------------
+using TestMemoryLimitChange = RenderTest;
+
+TEST_F(TestMemoryLimitChange, TakesEffectInTheNextFrame)
+{
+  const AnalyticScene scene = RandomLayers(400, 300, 13, 60, 0.02, 0.5);
+  View view(scene);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const Picture whole = view.Render();
+  for (double limit : { 1.0, 0.0, 2.0, 0.0 })
+  {
+    pass->GetStorage()->SetMemoryLimit(limit);
+    EXPECT_EQ(Compare(whole, view.Render()).Largest, 0) << limit;
+    EXPECT_EQ(pass->GetStatistics()->GetTiles() > 1, limit > 0) << limit;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestMemoryLimitChange, SmallerThanARowIsAnErrorAndFallsBack)
+{
+  const AnalyticScene scene = RandomLayers(400, 300, 13, 10, 0.02, 0.5);
+  View view(scene);
+  vtkNew<vtkABufferPass> pass;
+  pass->GetStorage()->SetMemoryLimit(0.001);
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("MemoryLimit is 0.001 MiB, expected at least"), std::string::npos)
+    << messages[0];
+  EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
+  const PictureDifference difference = Compare(drawn, scene.Compute(Reference::CompositeExact));
+  EXPECT_LE(difference.Largest, 4) << difference; // peeling accumulates in bytes
+
+  view.Render();
+  EXPECT_TRUE(TakeMessages().empty()) << "once is enough";
+}

@@ -1,0 +1,164 @@
+// Values out of range are refused with an error that names the option, the value and what was expected.
+#include "RenderTest.h"
+
+#include <vtkFragmentStorage.h>
+#include <vtkTranslucencyOption.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+struct BadValue
+{
+  std::string Name;
+  std::function<double(vtkAdaptiveTransparencyPass*, vtkABufferPass*)> Get;
+  std::function<void(vtkAdaptiveTransparencyPass*, vtkABufferPass*)> Set;
+  std::string Expected;
+};
+
+void PrintTo(const BadValue& value, std::ostream* os)
+{
+  *os << value.Name;
+}
+
+BadValue NodeCount(int count, const std::string& name)
+{
+  return { "NodeCount" + name,
+    [](auto* adaptive, auto*) -> double { return adaptive->GetNodeCount(); },
+    [count](auto* adaptive, auto*) { adaptive->SetNodeCount(count); }, "1 to 64" };
+}
+
+BadValue NodeRemoval(int removal, const std::string& name)
+{
+  return { "NodeRemoval" + name,
+    [](auto* adaptive, auto*) -> double { return adaptive->GetNodeRemoval(); },
+    [removal](auto* adaptive, auto*) { adaptive->SetNodeRemoval(removal); }, "Underestimate" };
+}
+
+BadValue Resolve(int resolve, const std::string& name)
+{
+  return { "Resolve" + name, [](auto*, auto* exact) -> double { return exact->GetResolve(); },
+    [resolve](auto*, auto* exact) { exact->SetResolve(resolve); }, "Recursive" };
+}
+
+BadValue ColorFormat(int format, const std::string& name)
+{
+  return { "ColorFormat" + name,
+    [](auto*, auto* exact) -> double { return exact->GetStorage()->GetColorFormat(); },
+    [format](auto*, auto* exact) { exact->GetStorage()->SetColorFormat(format); }, "HalfFloat" };
+}
+
+BadValue MemoryLimit(double limit, const std::string& name)
+{
+  return { "MemoryLimit" + name,
+    [](auto*, auto* exact) { return exact->GetStorage()->GetMemoryLimit(); },
+    [limit](auto*, auto* exact) { exact->GetStorage()->SetMemoryLimit(limit); }, "positive" };
+}
+}
+
+class TestBadValue
+  : public RenderTest
+  , public testing::WithParamInterface<BadValue>
+{
+};
+
+//------------------------------------------------------------------------------
+TEST_P(TestBadValue, IsAnErrorAndChangesNothing)
+{
+  vtkNew<vtkAdaptiveTransparencyPass> adaptive;
+  vtkNew<vtkABufferPass> exact;
+  const double before = GetParam().Get(adaptive, exact);
+  const vtkMTimeType adaptiveTime = adaptive->GetMTime();
+  const vtkMTimeType exactTime = exact->GetMTime();
+  GetParam().Set(adaptive, exact);
+  EXPECT_EQ(GetParam().Get(adaptive, exact), before);
+  EXPECT_EQ(adaptive->GetMTime(), adaptiveTime);
+  EXPECT_EQ(exact->GetMTime(), exactTime);
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  const std::string option = GetParam().Name.substr(0, GetParam().Name.find('_'));
+  EXPECT_NE(messages[0].find(option + " is "), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find("expected"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find(GetParam().Expected), std::string::npos) << messages[0];
+}
+
+INSTANTIATE_TEST_SUITE_P(Options, TestBadValue,
+  testing::Values(NodeCount(0, "_0"), NodeCount(-1, "_Negative"), NodeCount(65, "_65"),
+    NodeCount(1000, "_1000"), NodeRemoval(-1, "_Negative"), NodeRemoval(3, "_3"),
+    Resolve(-1, "_Negative"), Resolve(2, "_2"), ColorFormat(-1, "_Negative"), ColorFormat(2, "_2"),
+    MemoryLimit(-1, "_Negative"), MemoryLimit(std::numeric_limits<double>::quiet_NaN(), "_NaN")),
+  [](const auto& info) { return info.param.Name; });
+
+//------------------------------------------------------------------------------
+using TestOptions = RenderTest;
+
+TEST_F(TestOptions, TakesTheValuesAtTheEndsOfARange)
+{
+  vtkNew<vtkAdaptiveTransparencyPass> pass;
+  for (int count : { 1, 64 })
+  {
+    pass->SetNodeCount(count);
+    EXPECT_EQ(pass->GetNodeCount(), count);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestOptions, ByKeywordAreTheProperties)
+{
+  vtkNew<vtkAdaptiveTransparencyPass> pass;
+  EXPECT_TRUE(pass->SetOption("nodes", "24"));
+  EXPECT_EQ(pass->GetNodeCount(), 24);
+  EXPECT_EQ(pass->GetOption("nodes"), "24");
+  for (int i = 0; i < pass->GetNumberOfOptions(); ++i)
+  {
+    const std::string keyword = pass->GetOptionKeyword(i);
+    EXPECT_FALSE(pass->GetOptionHelp(i).empty()) << keyword;
+    EXPECT_TRUE(pass->SetOption(keyword, pass->GetOption(keyword))) << keyword;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestOptions, StartWithTheirDeclaredDefaults)
+{
+  for (const vtkSmartPointer<vtkTranslucencyPass>& pass :
+    std::vector<vtkSmartPointer<vtkTranslucencyPass>>{
+      vtkSmartPointer<vtkABufferPass>::New(), vtkSmartPointer<vtkAdaptiveTransparencyPass>::New() })
+  {
+    for (const vtkTranslucencyOption& option : pass->GetOptions())
+    {
+      EXPECT_EQ(option.Get(), option.Default) << option.Name;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestOptions, RefuseWhatTheyDoNotTake)
+{
+  vtkNew<vtkAdaptiveTransparencyPass> pass;
+  const struct
+  {
+    std::string Keyword;
+    std::string Value;
+    std::string Named; // by the error
+  } refused[] = {
+    { "nodes", "0", "nodes is '0', expected an integer in 1..64" },
+    { "nodes", "1000", "nodes is '1000', expected an integer in 1..64" },
+    { "nodes", "many", "nodes is 'many', expected" },
+    { "nodes", "", "nodes is '', expected" },
+    { "nodes", "8.5", "nodes is '8.5', expected" },
+    { "nodes", "nan", "nodes is 'nan', expected" },
+    { "memory_limit", "-1", "memory_limit is '-1', expected a number" },
+    { "color_format", "rgb565", "color_format is 'rgb565', expected half-float or rgba8" },
+    { "node", "8", "no option 'node', expected one of" },
+    { "", "", "no option '', expected one of" },
+  };
+  for (const auto& attempt : refused)
+  {
+    EXPECT_FALSE(pass->SetOption(attempt.Keyword, attempt.Value)) << attempt.Named;
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u) << attempt.Named;
+    EXPECT_NE(messages[0].find(attempt.Named), std::string::npos) << messages[0];
+  }
+  EXPECT_EQ(pass->GetNodeCount(), 16);
+}

@@ -1,0 +1,42 @@
+/**
+ * Module/Shaders/Adaptive, compiled as C++: the text that the GPU runs, once for each number of nodes and rule of removal
+ * that CMakeLists.txt lists.
+ */
+#ifndef VisibilityShader_h
+#define VisibilityShader_h
+
+#include "Reference.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class VisibilityShader
+{
+public:
+  virtual ~VisibilityShader() = default;
+  virtual void Insert(float depth, float alpha) = 0;
+
+  /// For all fragments in the order of their insertion, as the resolve asks.
+  virtual float TransmittanceBefore(float depth) = 0;
+
+  /// The nodes in use.
+  virtual std::vector<Reference::Node> GetNodes() const = 0;
+
+  /// The transmittance behind everything.
+  virtual float GetTotal() const = 0;
+};
+
+struct VisibilityVariant
+{
+  int NodeCount;
+  Reference::Removal Rule;
+  std::unique_ptr<VisibilityShader> (*New)();
+
+  std::string GetName() const;
+};
+
+/// All that were compiled.
+const std::vector<VisibilityVariant>& VisibilityVariants();
+
+#endif

@@ -1,0 +1,13 @@
+#include <vtkTranslucencyFactory.h>
+
+#include <iostream>
+
+int main()
+{
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    std::cout << vtkTranslucencyFactory::GetTechniqueName(i) << ": "
+              << vtkTranslucencyFactory::GetTechniqueHelp(i) << '\n';
+  }
+  return 0;
+}
