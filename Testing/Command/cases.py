@@ -3,11 +3,13 @@
 import functools
 import json
 import os
+import pathlib
 
 from checks import fails, png_size, read_page, run, succeeds, writes_picture
 from inputs import SUFFIXES
 
 SMALL = ["--size", "40x30"]
+FROG = str(pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Data" / "frog.json")
 
 
 def render(*arguments):
@@ -208,6 +210,7 @@ CASES = {
     "RenderOnePixel": writes_picture(["render", "ok.vtp", "--size", "1x1"], "a.png", (1, 1)),
     "RenderScene": scene_sets_size,
     "RenderSceneElsewhere": scene_from_elsewhere,
+    "RenderFrog": writes_picture(["render", "--scene", FROG, "--size", "160x90"], "a.png", (160, 90)),
     "RenderOpacity": options_change_picture(["ok.vtp"], ["ok.vtp", "--opacity", "0.9"]),
     "RenderColor": options_change_picture(["ok.vtp"], ["ok.vtp", "--color", "tomato"]),
     "RenderBackground": options_change_picture(["ok.vtp"], ["ok.vtp", "--background", "#123"]),
