@@ -350,8 +350,8 @@ bool vtkTranslucencyFrame::Resolve(
     {
       return this->Fail("the driver has no memory for the resolve");
     }
-    constexpr vtkTypeInt64 highestLevel = sizeof(unsigned int) * 2;
-    kept.StatisticsBlock.Clear(StatisticsBytes + bytes - highestLevel, highestLevel);
+    constexpr vtkTypeInt64 leftLevels = sizeof(unsigned int) * 2;
+    kept.StatisticsBlock.Clear(StatisticsBytes + bytes - leftLevels, leftLevels);
   }
   kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
   program->SetUniformi("resolveLevel", squares.Level);
@@ -381,9 +381,9 @@ bool vtkTranslucencyFrame::Resolve(
 }
 
 //------------------------------------------------------------------------------
-int vtkTranslucencyFrame::GetHighestLevel()
+bool vtkTranslucencyFrame::IsLeftTo(int level)
 {
-  return static_cast<int>(this->Pass->Internal->DownloadStatistics().HighestLevel);
+  return (this->Pass->Internal->DownloadStatistics().LeftLevels >> level) & 1u;
 }
 
 //------------------------------------------------------------------------------

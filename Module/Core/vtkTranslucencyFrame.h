@@ -7,7 +7,7 @@
  * @code
  * bool vtkSomePass::RenderStages(vtkTranslucencyFrame& frame)
  * {
- *   return frame.Gather(this->Storage) && frame.Resolve("Some/Resolve.glsl", { { "SOME_DEFINE", "8" } });
+ *   return frame.Gather(this->Storage) && frame.Resolve("Some/Resolve.glsl", { { "SOME_DEFINE", "8" } }, {});
  * }
  * @endcode
  *
@@ -46,7 +46,7 @@ public:
   using Uniforms = std::map<std::string, int>;
 
   /// Which squares of pixels a resolve draws: those in which the storage expects more than Fewer and at most Most fragments
-  /// a pixel, and those that resolves of lower levels have left to this Level or a higher one
+  /// a pixel, and those with pixels that earlier resolves have left to this Level, 0 to 31
   /// (Shaders/Common/Statistics.glsl). The default is all squares that hold fragments.
   struct Squares
   {
@@ -63,8 +63,8 @@ public:
   bool Resolve(const std::string& file, const Defines& defines, const Squares& squares,
     const Uniforms& uniforms = {});
 
-  /// The highest level to which pixels of this tile were left. Waits for the resolves so far.
-  int GetHighestLevel();
+  /// Whether pixels of this tile were left to a level. Waits for the resolves so far.
+  bool IsLeftTo(int level);
 
   /// The most fragments in a pixel that the resolves so far have counted. Waits for them.
   vtkTypeInt64 GetDeepestPixel();

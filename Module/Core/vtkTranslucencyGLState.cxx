@@ -8,7 +8,7 @@
 #include "vtkOpenGLState.h"
 
 //------------------------------------------------------------------------------
-vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window)
+vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bool storage)
   : Window(window)
 {
   vtkOpenGLState* state = window->GetState();
@@ -20,6 +20,9 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window)
   glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->BlendEquation[1]);
   state->vtkglGetBooleanv(GL_COLOR_WRITEMASK, this->ColorMask.data());
   state->vtkglGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
+  state->vtkglGetFloatv(GL_COLOR_CLEAR_VALUE, this->ClearColor.data());
+  glGetFloatv(GL_POINT_SIZE, &this->PointSize);
+  glGetFloatv(GL_LINE_WIDTH, &this->LineWidth);
   glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
   glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
   glGetIntegerv(GL_CURRENT_PROGRAM, &this->Program);
@@ -30,12 +33,15 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window)
     this->Enabled.emplace_back(capability, state->GetEnumState(capability));
   }
 
-  const std::pair<unsigned int, unsigned int> targets[] = {
-    { GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING },
-    { GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING }, { GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING },
+  std::vector<std::pair<unsigned int, unsigned int>> targets{ { GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING },
+    { GL_ELEMENT_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER_BINDING }, // of the vertex array
     { GL_COPY_READ_BUFFER, GL_COPY_READ_BUFFER }, // these two are asked for by their own names
-    { GL_COPY_WRITE_BUFFER, GL_COPY_WRITE_BUFFER }
-  };
+    { GL_COPY_WRITE_BUFFER, GL_COPY_WRITE_BUFFER } };
+  if (storage)
+  {
+    targets.emplace_back(GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING);
+    targets.emplace_back(GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING);
+  }
   for (const auto& target : targets)
   {
     int buffer = 0;
@@ -56,10 +62,13 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window)
       this->IndexedBuffers.push_back(saved);
     }
   };
-  saveIndexed(GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING,
-    GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE, STORAGE_BINDINGS);
-  saveIndexed(GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START,
-    GL_UNIFORM_BUFFER_SIZE, UNIFORM_BINDINGS);
+  if (storage)
+  {
+    saveIndexed(GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING,
+      GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE, STORAGE_BINDINGS);
+    saveIndexed(GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START,
+      GL_UNIFORM_BUFFER_SIZE, UNIFORM_BINDINGS);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -77,6 +86,7 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
       glBindBufferBase(saved.Target, saved.Index, static_cast<GLuint>(saved.Buffer));
     }
   }
+  glBindVertexArray(static_cast<GLuint>(this->VertexArray));
   for (const auto& saved : this->Buffers)
   {
     glBindBuffer(saved.first, static_cast<GLuint>(saved.second));
@@ -90,7 +100,10 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
   // The cache must forget its program before ours is put back behind its back.
   this->Window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Program));
-  glBindVertexArray(static_cast<GLuint>(this->VertexArray));
+  state->vtkglClearColor(
+    this->ClearColor[0], this->ClearColor[1], this->ClearColor[2], this->ClearColor[3]);
+  state->vtkglPointSize(this->PointSize);
+  state->vtkglLineWidth(this->LineWidth);
   state->vtkglActiveTexture(static_cast<unsigned int>(this->ActiveTexture));
   state->vtkglDepthFunc(static_cast<unsigned int>(this->DepthFunction));
   state->vtkglDepthMask(this->DepthMask);

@@ -16,7 +16,8 @@ class vtkOpenGLRenderWindow;
 class vtkTranslucencyGLState
 {
 public:
-  explicit vtkTranslucencyGLState(vtkOpenGLRenderWindow* window);
+  /// storage: whether the driver has storage and uniform buffers that could have to be put back.
+  vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bool storage);
   ~vtkTranslucencyGLState();
 
   /// GL_VIEWPORT as it was: x, y, width, height.
@@ -44,6 +45,9 @@ private:
   std::array<int, 4> BlendFunction;
   std::array<int, 2> BlendEquation;
   std::array<unsigned char, 4> ColorMask;
+  std::array<float, 4> ClearColor;
+  float PointSize;
+  float LineWidth;
   unsigned char DepthMask;
   int DepthFunction;
   int ActiveTexture;

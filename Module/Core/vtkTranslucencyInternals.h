@@ -61,7 +61,7 @@ struct vtkTranslucencyPass::Internals
   {
     unsigned int DeepestPixel;
     unsigned int Unfinished;
-    unsigned int HighestLevel;
+    unsigned int LeftLevels;
     unsigned int Unused;
   };
   ResolveStatistics DownloadStatistics() const;
@@ -79,7 +79,6 @@ struct vtkTranslucencyPass::Internals
 
   // Alone, the pass draws by these steps, of which it is one.
   vtkSmartPointer<vtkRenderStepsPass> Steps;
-  bool InsideSteps = false;
 
   vtkSmartPointer<vtkDualDepthPeelingPass> Peeling;
   std::string Warned; // the reason for a fallback that was last warned of

@@ -48,6 +48,24 @@ bool SetsDepth(const std::string& fragmentShader)
 }
 
 //------------------------------------------------------------------------------
+// The step that a pass is when it draws alone. It does not own the pass, which owns the steps.
+class vtkTranslucencyStep : public vtkRenderPass
+{
+public:
+  static vtkTranslucencyStep* New();
+  vtkTypeMacro(vtkTranslucencyStep, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    this->Pass->RenderTranslucent(state);
+    this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
+  }
+
+  vtkTranslucencyPass* Pass = nullptr;
+};
+vtkStandardNewMacro(vtkTranslucencyStep);
+
+//------------------------------------------------------------------------------
 vtkTranslucencyPass::vtkTranslucencyPass()
   : Internal(new Internals)
 {
@@ -122,7 +140,7 @@ void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
     this->Peeling->ReleaseGraphicsResources(window);
   }
   this->Peeling = nullptr;
-  if (this->Steps && alive && !this->InsideSteps)
+  if (this->Steps && alive)
   {
     this->Steps->ReleaseGraphicsResources(window);
   }
@@ -247,27 +265,34 @@ void vtkTranslucencyPass::RenderAlone(const vtkRenderState* state)
   Internals& kept = *this->Internal;
   if (!kept.Steps)
   {
+    vtkNew<vtkTranslucencyStep> step;
+    step->Pass = this;
     kept.Steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+    kept.Steps->SetTranslucentPass(step);
   }
-  // Only while it draws: the steps would otherwise keep this pass alive, and it them.
-  kept.InsideSteps = true;
-  kept.Steps->SetTranslucentPass(this);
   kept.Steps->Render(state);
-  kept.Steps->SetTranslucentPass(nullptr);
-  kept.InsideSteps = false;
   this->NumberOfRenderedProps = kept.Steps->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::Render(const vtkRenderState* state)
 {
-  Internals& kept = *this->Internal;
   vtkRenderer* renderer = state->GetRenderer();
-  if (renderer->GetPass() == this && !kept.InsideSteps)
+  if (renderer->GetPass() == this)
   {
     this->RenderAlone(state);
-    return;
   }
+  else
+  {
+    this->RenderTranslucent(state);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state)
+{
+  Internals& kept = *this->Internal;
+  vtkRenderer* renderer = state->GetRenderer();
   this->NumberOfRenderedProps = 0;
   kept.Statistics->Reset();
   kept.StatisticsPending = false;
@@ -291,14 +316,14 @@ void vtkTranslucencyPass::Render(const vtkRenderState* state)
   const std::string missing = this->GetMissing(window);
   if (!missing.empty())
   {
-    this->RenderFallback(state, "the driver (" + driver + ") lacks " + missing);
+    this->RenderFallback(state, "the driver (" + driver + ") lacks " + missing, true);
     return;
   }
 
   std::string error;
   bool whole = true; // nothing has been composited yet
   {
-    const vtkTranslucencyGLState found(window);
+    const vtkTranslucencyGLState found(window, true);
     vtkTranslucencyFrame frame(this, state, window, found);
     int tiles = 0;
     while ((whole ? error.empty() : true) && frame.NextTile())
@@ -330,7 +355,7 @@ void vtkTranslucencyPass::Render(const vtkRenderState* state)
   }
   if (!error.empty() && whole)
   {
-    this->RenderFallback(state, error);
+    this->RenderFallback(state, error, false);
   }
   else if (!error.empty())
   {
@@ -340,19 +365,26 @@ void vtkTranslucencyPass::Render(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, const std::string& reason)
+void vtkTranslucencyPass::RenderFallback(
+  const vtkRenderState* state, const std::string& reason, bool lacking)
 {
   Internals& kept = *this->Internal;
+  const vtkTranslucencyGLState found(kept.Window, kept.Capabilities.MissingForStorage.empty());
   // Dual depth peeling copies the depth buffer, which fails where it is multi-sampled: nothing would be drawn.
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool peel = samples == 0;
-  if (kept.Warned != reason)
+  const std::string instead =
+    reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") + " instead";
+  if (kept.Warned != reason && lacking)
   {
-    kept.Warned = reason;
-    vtkWarningMacro(<< reason << "; drawing by "
-                    << (peel ? "depth peeling" : "blending, in drawing order") << " instead");
+    vtkWarningMacro(<< instead);
   }
+  else if (kept.Warned != reason)
+  {
+    vtkErrorMacro(<< instead);
+  }
+  kept.Warned = reason;
   kept.Statistics->SetFallback(peel ? "peeling" : "blending");
   if (!peel)
   {

@@ -133,9 +133,12 @@ private:
   void operator=(const vtkTranslucencyPass&) = delete;
 
   void RenderAlone(const vtkRenderState* state);
-  void RenderFallback(const vtkRenderState* state, const std::string& reason);
+  void RenderTranslucent(const vtkRenderState* state);
+  // Says why, once: a warning if the driver lacks something, an error if something went wrong.
+  void RenderFallback(const vtkRenderState* state, const std::string& reason, bool lacking);
 
   friend class vtkTranslucencyFrame;
+  friend class vtkTranslucencyStep;
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

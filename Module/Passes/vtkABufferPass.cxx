@@ -54,9 +54,17 @@ bool vtkABufferPass::RenderStages(vtkTranslucencyFrame& frame)
   }
   if (this->Resolve == Iterative)
   {
-    return frame.Resolve("ABuffer/Iterative.glsl", { { "NEXT_LEVEL", "1u" } }, {}) &&
-      this->ResolveLongLists(frame, vtkTranslucencyFrame::Squares::LeftTo(1));
+    return frame.Resolve("ABuffer/Iterative.glsl", { { "UNFINISHED_LEVEL", LevelText(Long) } }, {}) &&
+      this->ResolveLeftLists(frame);
   }
   vtkTranslucencyFrame::Squares rest;
-  return this->ResolveShortLists(frame, VTK_INT_MAX, rest) && this->ResolveLongLists(frame, rest);
+  if (!this->ResolveShortLists(frame, VTK_INT_MAX, Runs, rest))
+  {
+    return false;
+  }
+  const bool runs = this->Storage->GetMostExpected() > rest.Fewer || frame.IsLeftTo(Runs);
+  return (!runs ||
+           frame.Resolve(
+             "ABuffer/ResolveRuns.glsl", { { "LONGER_LEVEL", LevelText(Long) } }, rest)) &&
+    this->ResolveLeftLists(frame);
 }

@@ -86,26 +86,26 @@ bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
   }
   // A list of no more fragments than nodes needs no compression: it is exact, and sorting it takes fewer steps.
   vtkTranslucencyFrame::Squares rest;
-  if (!this->ResolveShortLists(frame, this->NodeCount, rest))
+  if (!this->ResolveShortLists(frame, this->NodeCount, Technique, rest))
   {
     return false;
   }
   vtkTranslucencyFrame::Defines defines{ { "NODE_COUNT", std::to_string(this->NodeCount) },
     { "NODE_REMOVAL", Removals[this->NodeRemoval] }, { "EQUAL_DEPTHS", "0" },
-    { "LEVEL", std::to_string(rest.Level) + "u" } };
+    { "EQUAL_DEPTHS_LEVEL", LevelText(TechniqueMore) },
+    { "UNFINISHED_LEVEL", LevelText(Long) } };
   if (!frame.Resolve("Adaptive/Resolve.glsl", defines, rest))
   {
     return false;
   }
-  const int equalDepths = rest.Level + 1;
-  if (frame.GetHighestLevel() >= equalDepths)
+  if (frame.IsLeftTo(TechniqueMore))
   {
     defines["EQUAL_DEPTHS"] = "1";
-    const auto left = vtkTranslucencyFrame::Squares::LeftTo(equalDepths);
+    const auto left = vtkTranslucencyFrame::Squares::LeftTo(TechniqueMore);
     if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left))
     {
       return false;
     }
   }
-  return this->ResolveLongLists(frame, vtkTranslucencyFrame::Squares::LeftTo(rest.Level + 2));
+  return this->ResolveLeftLists(frame);
 }

@@ -74,45 +74,56 @@ void vtkFragmentListPass::ReleaseTechniqueResources(bool contextAlive)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFragmentListPass::LevelText(int level)
+{
+  return std::to_string(level) + "u";
+}
+
+//------------------------------------------------------------------------------
 bool vtkFragmentListPass::ResolveShortLists(
-  vtkTranslucencyFrame& frame, int most, vtkTranslucencyFrame::Squares& rest)
+  vtkTranslucencyFrame& frame, int most, int longer, vtkTranslucencyFrame::Squares& rest)
 {
   rest = {};
   for (int size = 8; size <= std::min(32, most); size *= 2)
   {
+    this->LargestBlock = size;
     rest.Most = size;
+    const int next = 2 * size <= std::min(32, most) ? rest.Level + 1 : longer;
     if (!frame.Resolve("ABuffer/ResolveShort.glsl",
-          { { "BLOCK_SIZE", std::to_string(size) },
-            { "NEXT_LEVEL", std::to_string(rest.Level + 1) + "u" } },
+          { { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "0" },
+            { "LONGER_LEVEL", LevelText(next) },
+            { "EQUAL_DEPTHS_LEVEL", LevelText(ShortEqualDepths) } },
           rest))
     {
       return false;
     }
     ++rest.Level;
-    rest.Fewer = rest.Most;
+    rest.Fewer = size;
   }
+  // Without a short list to begin with, what is left is everything, and comes first.
+  rest.Level = rest.Fewer > 0 ? longer : 0;
   rest.Most = VTK_INT_MAX;
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFragmentListPass::ResolveLongLists(
-  vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& rest)
+bool vtkFragmentListPass::ResolveLeftLists(vtkTranslucencyFrame& frame)
 {
-  if (frame.GetHighestLevel() < rest.Level && this->Storage->GetMostExpected() <= rest.Fewer)
-  {
-    return true;
-  }
-  const auto left = vtkTranslucencyFrame::Squares::LeftTo(rest.Level + 1);
-  if (!frame.Resolve("ABuffer/ResolveRuns.glsl",
-        { { "NEXT_LEVEL", std::to_string(left.Level) + "u" } }, rest))
+  using Squares = vtkTranslucencyFrame::Squares;
+  if (frame.IsLeftTo(ShortEqualDepths) &&
+    !frame.Resolve("ABuffer/ResolveShort.glsl",
+      { { "BLOCK_SIZE", std::to_string(this->LargestBlock) }, { "EQUAL_DEPTHS", "1" },
+        { "LONGER_LEVEL", LevelText(Runs) },
+        { "EQUAL_DEPTHS_LEVEL", LevelText(ShortEqualDepths) } },
+      Squares::LeftTo(ShortEqualDepths)))
   {
     return false;
   }
-  if (frame.GetHighestLevel() < left.Level)
+  if (!frame.IsLeftTo(Long))
   {
     return true;
   }
+  const Squares left = Squares::LeftTo(Long);
   if (!frame.Resolve("ABuffer/SortRuns.glsl", {}, left))
   {
     return false;

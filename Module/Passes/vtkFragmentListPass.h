@@ -34,18 +34,35 @@ protected:
   ~vtkFragmentListPass() override;
 
   /**
-   * Draws, exactly and in registers, pixels of few fragments: up to 8, 16 and 32, as far as that is not more than most. rest is
-   * what is left: pixels of longer lists, and squares that are full of them.
+   * The levels of the resolves (see Shaders/Common/Statistics.glsl).
    */
-  bool ResolveShortLists(
-    vtkTranslucencyFrame& frame, int most, vtkTranslucencyFrame::Squares& rest);
+  enum Level
+  {
+    Short = 0,            // up to 8, 16 and 32 fragments, in registers: 0, 1, 2
+    Technique = 3,        // the subclass's own, and
+    TechniqueMore = 4,    // for pixels that it leaves to itself
+    ShortEqualDepths = 5, // short lists with fragments of equal depth
+    Runs = 6,             // up to 256 fragments, exactly
+    Long = 7              // any number of fragments, exactly
+  };
 
   /**
-   * Sorts and blends, exactly, what earlier resolves have left: pixels with more fragments than registers or a driver's loops
-   * can take. There is no limit to the fragments of a pixel.
+   * A level as shaders write it.
    */
-  bool ResolveLongLists(
-    vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& rest);
+  static std::string LevelText(int level);
+
+  /**
+   * Draws, exactly and in registers, pixels of few fragments: up to 8, 16 and 32, as far as that is not more than most. Longer
+   * lists are left to a level; rest is that level and the squares that are full of them.
+   */
+  bool ResolveShortLists(
+    vtkTranslucencyFrame& frame, int most, int longer, vtkTranslucencyFrame::Squares& rest);
+
+  /**
+   * Draws, exactly, what earlier resolves have left to ShortEqualDepths and to Long: there is no limit to the fragments of a
+   * pixel, whatever registers and a driver's loops can take. The last resolve of every technique.
+   */
+  bool ResolveLeftLists(vtkTranslucencyFrame& frame);
 
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
@@ -53,6 +70,8 @@ protected:
   vtkSmartPointer<vtkFragmentStorage> Storage;
 
 private:
+  int LargestBlock = 32; // of the short lists in this frame
+
   vtkFragmentListPass(const vtkFragmentListPass&) = delete;
   void operator=(const vtkFragmentListPass&) = delete;
 };

@@ -91,8 +91,7 @@ public:
   /// Fragments of the tile, after Complete.
   virtual vtkTypeInt64 GetFragments() const = 0;
 
-  /// About as many fragments as the fuller pixels of the fullest part of the tile hold, after Complete: the most that the
-  /// shaders' squareFragments gives.
+  /// The most that the shaders' squareFragments gives for a square of the tile, after Complete.
   virtual int GetMostExpected() const = 0;
 
   /// True if that many fragments of a viewport would be taken in one tile.

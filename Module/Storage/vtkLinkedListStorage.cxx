@@ -178,7 +178,7 @@ std::vector<vtkTypeInt64> vtkLinkedListStorage::GetRanges(const TileLayout& layo
     for (int x = 0; x < across; ++x)
     {
       vtkTypeInt64 most = layout.Counts[y * across + x];
-      const int reach = layout.FramesMoving > 0 ? 1 : 0;
+      const int reach = layout.FramesMoving > 0 ? 2 : 0;
       for (int v = std::max(0, y - reach); v <= std::min(rows - 1, y + reach); ++v)
       {
         for (int u = std::max(0, x - reach); u <= std::min(across - 1, x + reach); ++u)
@@ -258,7 +258,7 @@ int vtkLinkedListStorage::GetMostExpected() const
 {
   const vtkTypeInt64 pixels = vtkTypeInt64(1) << (2 * SmallestCellShift(this->Tile));
   return static_cast<int>(
-    std::min<vtkTypeInt64>(VTK_INT_MAX, (3 * this->FullestCell / 2 + pixels - 1) / pixels));
+    std::min<vtkTypeInt64>(VTK_INT_MAX, (this->FullestCell + pixels - 1) / pixels));
 }
 
 //------------------------------------------------------------------------------

@@ -8,14 +8,14 @@
  * | --------- | ---------------------------- | -------------------------------------------------------------------- |
  * | table     | 4 a pixel                    | the head of the pixel's list, 0 if it is empty                       |
  * | fragments | 16 (HalfFloat), 12 (RGBA8)   | one node: next, depth, colour                                        |
- * | counters  | 64 a cell                    | the next node of the cell of 32 x 32 pixels                          |
+ * | counters  | 64 a cell                    | the next node of the cell of 16 x 16 pixels                          |
  *
  * A list is in the reverse order of drawing: the last drawn first.
  *
  * The paper takes all nodes from one counter. That counter is what the gather waits for: two threads alone lose more time to it
  * than to everything else. Here each cell has a counter and a range of nodes of its own, as large as what the cell held in the
  * last frame and an eighth more. After a frame in which that was not enough (the view moves), ranges are for a while as large as
- * the fullest of a cell and its eight neighbours.
+ * the fullest of a cell and its neighbours within two cells.
  *
  * Where a range is too small, the frame is still counted to its end and then drawn again with ranges that fit. Bytes per pixel:
  * 4, and 16 (or 12) for each fragment, with an eighth more.

@@ -19,10 +19,12 @@ struct SortedFragment
 struct SortVariant
 {
   int BlockSize;
-  std::string Order; // "Drawn" or "Content"
+  std::string Order; // among equals: "Drawn", "Content" or "None"
 
-  /// Sorts up to BlockSize fragments; gives back the block's elements in use, in their order.
-  std::vector<SortedFragment> (*Sort)(const std::vector<SortedFragment>& fragments);
+  /// Sorts up to BlockSize fragments; gives back the block's elements in use, in their order, and whether two of them are at
+  /// one depth.
+  std::vector<SortedFragment> (*Sort)(
+    const std::vector<SortedFragment>& fragments, bool& equalDepths);
 };
 
 /// All that were compiled.

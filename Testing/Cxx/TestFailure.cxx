@@ -88,6 +88,6 @@ TEST_F(TestFailure, OfAShaderThatDoesNotCompileNamesFileAndLine)
   vtkNew<BrokenPass> pass;
   pass->File = "Adaptive/Resolve.glsl";
   pass->Defines = { { "NODE_COUNT", "8 +" }, { "NODE_REMOVAL", "0" }, { "EQUAL_DEPTHS", "0" },
-    { "LEVEL", "0u" } };
+    { "EQUAL_DEPTHS_LEVEL", "1u" }, { "UNFINISHED_LEVEL", "2u" } };
   ExpectFallback(pass, "Adaptive/RemoveNode.glsl:", TakeMessages);
 }

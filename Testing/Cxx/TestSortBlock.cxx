@@ -41,6 +41,11 @@ bool NearerThan(const SortedFragment& a, const SortedFragment& b)
   return a.Depth < b.Depth;
 }
 
+bool AtEqualDepth(const SortedFragment& a, const SortedFragment& b)
+{
+  return a.Depth == b.Depth;
+}
+
 bool BeforeByContent(const SortedFragment& a, const SortedFragment& b)
 {
   return Content(a) < Content(b);
@@ -54,29 +59,44 @@ class TestSortBlock : public testing::TestWithParam<SortVariant>
 //------------------------------------------------------------------------------
 TEST_P(TestSortBlock, SortsAsTheStandardLibraryDoes)
 {
-  const bool drawn = GetParam().Order == "Drawn";
-  EXPECT_TRUE(rc::check(drawn ? "stable by depth" : "by depth, then by content",
-    [drawn]
+  const std::string order = GetParam().Order;
+  EXPECT_TRUE(rc::check("by depth, then " + order,
+    [&order]
     {
       std::vector<SortedFragment> expected = AnyFragments(GetParam().BlockSize);
-      const std::vector<SortedFragment> sorted = GetParam().Sort(expected);
-      std::stable_sort(expected.begin(), expected.end(), drawn ? NearerThan : BeforeByContent);
+      bool equalDepths = false;
+      const std::vector<SortedFragment> sorted = GetParam().Sort(expected, equalDepths);
+      std::stable_sort(
+        expected.begin(), expected.end(), order == "Content" ? BeforeByContent : NearerThan);
       RC_ASSERT(sorted.size() == expected.size());
       for (std::size_t i = 0; i < sorted.size(); ++i)
       {
-        RC_ASSERT(Content(sorted[i]) == Content(expected[i]));
+        RC_ASSERT(sorted[i].Depth == expected[i].Depth);
+        RC_ASSERT(order == "None" || Content(sorted[i]) == Content(expected[i]));
+        RC_ASSERT(order != "Drawn" || sorted[i].Node == expected[i].Node);
       }
+      RC_ASSERT(equalDepths ==
+        (std::adjacent_find(expected.begin(), expected.end(), AtEqualDepth) != expected.end()));
+    }));
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestSortBlock, CarriesEachFragmentAlongOnce)
+{
+  EXPECT_TRUE(rc::check("nodes and colours stay with their depths",
+    []
+    {
+      const std::vector<SortedFragment> fragments = AnyFragments(GetParam().BlockSize);
+      bool equalDepths = false;
+      const std::vector<SortedFragment> sorted = GetParam().Sort(fragments, equalDepths);
       std::vector<std::uint32_t> nodes = Nodes(sorted);
-      if (drawn)
+      for (const SortedFragment& fragment : sorted)
       {
-        RC_ASSERT(nodes == Nodes(expected));
+        RC_ASSERT(fragment.Node >= 1 && fragment.Node <= fragments.size());
+        RC_ASSERT(Content(fragment) == Content(fragments[fragment.Node - 1]));
       }
-      // Each once: what is carried along has gone with its fragment.
       std::sort(nodes.begin(), nodes.end());
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-      {
-        RC_ASSERT(nodes[i] == i + 1);
-      }
+      RC_ASSERT(std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end());
     }));
 }
 

@@ -2,11 +2,11 @@
 // walking the list again: n^2 steps, no sorting, no memory.
 //
 // GROUP fragments are weighted in one walk, which reads the list so much less often. Where a driver ends the loops of a very
-// deep pixel before they are done, the pixel is left to the level that sorts.
+// deep pixel before they are done, the pixel is left to UNFINISHED_LEVEL, which sorts.
 //
-// Needs: NEXT_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
-#ifndef NEXT_LEVEL
-#error "ABuffer/Iterative.glsl needs NEXT_LEVEL"
+// Needs: UNFINISHED_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
+#ifndef UNFINISHED_LEVEL
+#error "ABuffer/Iterative.glsl needs UNFINISHED_LEVEL"
 #endif
 #include "Common/Fragment.glsl"
 #include "Common/Order.glsl"
@@ -66,7 +66,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   }
   if (cursor != 0u || other != 0u)
   {
-    leaveToLevel(pixel, NEXT_LEVEL);
+    leaveToLevel(pixel, UNFINISHED_LEVEL);
     return false;
   }
   recordFragments(count);

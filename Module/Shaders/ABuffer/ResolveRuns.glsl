@@ -1,11 +1,11 @@
 // ABuffer/ResolveRuns.glsl: pixels of up to RUNS * 32 fragments.
 //
 // The list becomes sorted runs of 32, whose first fragments are then compared: the nearest of them is blended, and the next of
-// its run takes its place. Longer lists are left to the next level.
+// its run takes its place. Longer lists are left to LONGER_LEVEL.
 //
-// Needs: NEXT_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
-#ifndef NEXT_LEVEL
-#error "ABuffer/ResolveRuns.glsl needs NEXT_LEVEL"
+// Needs: LONGER_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
+#ifndef LONGER_LEVEL
+#error "ABuffer/ResolveRuns.glsl needs LONGER_LEVEL"
 #endif
 #include "ABuffer/Blend.glsl"
 #include "Common/Fragment.glsl"
@@ -88,7 +88,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   endList(list, pixel);
   if (list.rest != 0u)
   {
-    leaveToLevel(pixel, NEXT_LEVEL);
+    leaveToLevel(pixel, LONGER_LEVEL);
     return false;
   }
   for (int k = 0; k < RUNS; ++k)

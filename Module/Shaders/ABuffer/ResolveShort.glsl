@@ -1,10 +1,14 @@
 // ABuffer/ResolveShort.glsl: pixels of up to BLOCK_SIZE fragments, which never leave the registers.
 //
-// Longer lists are left to the next level.
+// Longer lists are left to LONGER_LEVEL, and with EQUAL_DEPTHS 0 those with fragments of equal depth to EQUAL_DEPTHS_LEVEL, which
+// is this shader with EQUAL_DEPTHS 1.
 //
-// Needs: BLOCK_SIZE, NEXT_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
-#ifndef NEXT_LEVEL
-#error "ABuffer/ResolveShort.glsl needs NEXT_LEVEL"
+// Needs: BLOCK_SIZE, EQUAL_DEPTHS, LONGER_LEVEL, EQUAL_DEPTHS_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
+#ifndef LONGER_LEVEL
+#error "ABuffer/ResolveShort.glsl needs LONGER_LEVEL"
+#endif
+#ifndef EQUAL_DEPTHS_LEVEL
+#error "ABuffer/ResolveShort.glsl needs EQUAL_DEPTHS_LEVEL"
 #endif
 #include "ABuffer/Blend.glsl"
 #include "Common/Fragment.glsl"
@@ -30,10 +34,17 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   }
   if (cursor != 0u)
   {
-    leaveToLevel(pixel, NEXT_LEVEL);
+    leaveToLevel(pixel, LONGER_LEVEL);
     return false;
   }
   sortBlock(block);
+#if !EQUAL_DEPTHS
+  if (hasEqualDepths(block))
+  {
+    leaveToLevel(pixel, EQUAL_DEPTHS_LEVEL);
+    return false;
+  }
+#endif
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
     blendBehind(color, transmittance, block.color[i]); // an empty element is transparent

@@ -4,10 +4,10 @@
 // that of all fragments: no rule of removal changes it.
 //
 // Fragments of equal depth are composited one behind the other, which takes more steps for every fragment. EQUAL_DEPTHS 0 does
-// without and leaves pixels that have such fragments to the next level, LEVEL + 1, which draws them by EQUAL_DEPTHS 1. Pixels
-// whose loops the driver ends are left to LEVEL + 2.
+// without and leaves pixels that have such fragments to EQUAL_DEPTHS_LEVEL, which is this shader with EQUAL_DEPTHS 1. Pixels whose
+// loops the driver ends are left to UNFINISHED_LEVEL, which sorts.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, LEVEL, COLOR_FORMAT.
+// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, COLOR_FORMAT.
 #ifndef EQUAL_DEPTHS
 #error "Adaptive/Resolve.glsl needs EQUAL_DEPTHS"
 #endif
@@ -33,7 +33,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 #if !EQUAL_DEPTHS
   if (visibility.tied)
   {
-    leaveToLevel(pixel, LEVEL + 1u);
+    leaveToLevel(pixel, EQUAL_DEPTHS_LEVEL);
     return false;
   }
 #endif
@@ -49,7 +49,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   }
   if (unread != 0u || cursor != 0u)
   {
-    leaveToLevel(pixel, LEVEL + 2u);
+    leaveToLevel(pixel, UNFINISHED_LEVEL);
     return false;
   }
   recordFragments(uint(count));

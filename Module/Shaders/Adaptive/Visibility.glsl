@@ -58,7 +58,9 @@ void insertFragment(INOUT(Visibility) v, float depth, float alpha, int count)
 }
 
 // Moves the first node at this depth just in front of it: a fragment there has asked for its transmittance, and those of
-// equal depth that come after it lie behind it. Fragments have to ask in the order in which they were inserted.
+// equal depth that come after it lie behind it. Fragments have to ask in the order in which they were inserted. With no more
+// fragments than nodes that is exact; where nodes of that depth were removed, as many fragments hide each other as there are
+// nodes left.
 void passNode(INOUT(Visibility) v, float depth)
 {
   float nearer = depth > 0.0f ? uintBitsToFloat(floatBitsToUint(depth) - 1u) : -1.0f;

@@ -1,7 +1,7 @@
 // ResolveSquares.glsl: the vertex shader of every resolve: two triangles a square of pixels, from gl_VertexID alone.
 //
 // A square is drawn by the resolve whose range its number of fragments falls into, resolveFewer < n <= resolveMost, and by
-// those of the levels to which that one leaves pixels. Squares in which nothing is stored are not drawn.
+// those to whose level a pixel of it was left. Squares in which nothing is stored are not drawn.
 //
 // Needs: what the storage needs.  Gives: main.
 #include "Common/Frame.glsl"
@@ -19,7 +19,7 @@ void main()
   int squaresAcross = (frameTile.z + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE;
   ivec2 at = ivec2(square % squaresAcross, square / squaresAcross);
   int expected = int(squareFragments(frameTile.xy + at * RESOLVE_SQUARE));
-  bool left = resolveLevel > 0 && squareLevels[square] >= uint(resolveLevel);
+  bool left = (squareLevels[square] & (1u << resolveLevel)) != 0u;
   bool drawn = left || (expected > resolveFewer && expected <= resolveMost);
 
   at += ivec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);

@@ -5,13 +5,19 @@
 // keeps it in registers on a GPU and in SIMD lanes on a CPU. 8, 16 and 32 elements take 19, 63 and 191 comparisons.
 // Elements beyond the last fragment have the depth BLOCK_EMPTY and so stay behind.
 //
-// Needs: BLOCK_SIZE (8, 16 or 32), FRAGMENT_ORDER.  Gives: Block, emptyBlock, sortBlock.
+// A network does not keep the order of equals. EQUAL_DEPTHS 1 decides between them (Order.glsl), which takes twice the steps;
+// EQUAL_DEPTHS 0 does not, and hasEqualDepths tells afterwards whether it would have been needed.
+//
+// Needs: BLOCK_SIZE (8, 16 or 32), EQUAL_DEPTHS, FRAGMENT_ORDER.  Gives: Block, emptyBlock, sortBlock, hasEqualDepths.
 #ifndef SortBlock_glsl
 #define SortBlock_glsl
 #include "Common/Language.glsl"
 #include "Common/Order.glsl"
 #ifndef BLOCK_SIZE
 #error "SortBlock.glsl needs BLOCK_SIZE"
+#endif
+#ifndef EQUAL_DEPTHS
+#error "SortBlock.glsl needs EQUAL_DEPTHS"
 #endif
 
 #define BLOCK_EMPTY 2.0f // behind every window depth
@@ -42,6 +48,7 @@ void emptyBlock(OUT(Block) block)
     block.array[i] = nearer; \
   }
 
+#if EQUAL_DEPTHS
 #define COMPARE(i, j) \
   { \
     bool swapped = inFront(block.depth[j], block.color[j], block.age[j], block.depth[i], \
@@ -51,6 +58,15 @@ void emptyBlock(OUT(Block) block)
     EXCHANGE_IF(swapped, uint, age, i, j) \
     EXCHANGE_IF(swapped, uint, node, i, j) \
   }
+#else
+#define COMPARE(i, j) \
+  { \
+    bool swapped = block.depth[j] < block.depth[i]; \
+    EXCHANGE_IF(swapped, float, depth, i, j) \
+    EXCHANGE_IF(swapped, uvec2, color, i, j) \
+    EXCHANGE_IF(swapped, uint, node, i, j) \
+  }
+#endif
 
 // MERGE_n(i, s): merges the two sorted halves of the n elements i, i + s, i + 2s, ...
 #define MERGE_2(i, s) COMPARE((i), (i) + (s))
@@ -93,6 +109,17 @@ void sortBlock(INOUT(Block) block)
     COMPARE(i, i + 1)
   }
 #endif
+}
+
+// Whether a sorted block holds fragments of equal depth.
+bool hasEqualDepths(INOUT(Block) block)
+{
+  bool equal = false;
+  for (int i = 1; i < BLOCK_SIZE; ++i)
+  {
+    equal = equal || (block.depth[i] == block.depth[i - 1] && block.depth[i] < BLOCK_EMPTY);
+  }
+  return equal;
 }
 
 #endif

@@ -1,8 +1,8 @@
 // Statistics.glsl: what a resolve learns about the frame and leaves for the application and for later resolves.
 //
-// A resolve may leave pixels to a later one: it gives their square of RESOLVE_SQUARE x RESOLVE_SQUARE pixels the later one's
-// level, and only squares of that level are drawn then (see ResolveSquares.glsl). Code for long lists so never runs, and never
-// takes registers, where lists are short.
+// A resolve may leave pixels to a later one: it marks their square of RESOLVE_SQUARE x RESOLVE_SQUARE pixels with the later one's
+// level, and only squares so marked are drawn then (see ResolveSquares.glsl). Code for long lists so never runs, and never takes
+// registers, where lists are short.
 //
 // Needs: nothing.  Gives: recordFragments, recordUnfinished, leaveToLevel, squareLevels.
 #ifndef Statistics_glsl
@@ -14,9 +14,9 @@ layout(std430, binding = STORAGE_BINDING_STATISTICS) buffer TranslucencyStatisti
 {
   uint deepestPixel; // fragments, of all tiles so far
   uint unfinished;   // not 0 if a list was not read to its end
-  uint highestLevel; // of this tile
+  uint leftLevels;   // of this tile: bit n is set if a pixel was left to level n
   uint unused;
-  uint squareLevels[]; // of this tile, row by row
+  uint squareLevels[]; // the same for each square, row by row
 };
 
 uint squareOf(ivec2 pixel)
@@ -47,10 +47,11 @@ void recordUnfinished(uint cursor)
 void leaveToLevel(ivec2 pixel, uint level)
 {
   uint square = squareOf(pixel);
-  if (squareLevels[square] < level)
+  uint mark = 1u << level;
+  if ((squareLevels[square] & mark) == 0u)
   {
-    atomicMax(squareLevels[square], level);
-    atomicMax(highestLevel, level);
+    atomicOr(squareLevels[square], mark);
+    atomicOr(leftLevels, mark);
   }
 }
 

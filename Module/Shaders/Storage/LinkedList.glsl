@@ -65,14 +65,14 @@ uint counterOf(ivec2 pixel)
   return (cell.y * listCellsPerRow + cell.x) * LIST_COUNTER_STRIDE;
 }
 
-// About as many fragments as a fuller pixel of the square that begins at this one holds: half as many again as the mean of its
-// cell. 0 only if no pixel of the square holds a fragment; a cell is a whole number of squares.
+// About as many fragments as a pixel of the square that begins at this one holds: the mean of its cell, rounded up. 0 only if no
+// pixel of the square holds a fragment; a cell is a whole number of squares.
 uint squareFragments(ivec2 pixel)
 {
   uint counter = counterOf(pixel);
   uint held = listCounters[counter] - listCounters[counter + 1u];
   uint pixels = 1u << (2u * listCellShift);
-  return (3u * held / 2u + pixels - 1u) / pixels;
+  return (held + pixels - 1u) / pixels;
 }
 
 void storeFragment(ivec2 pixel, Fragment fragment)

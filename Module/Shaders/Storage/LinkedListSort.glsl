@@ -9,6 +9,7 @@
 #ifndef LinkedListSort_glsl
 #define LinkedListSort_glsl
 #define BLOCK_SIZE 32
+#define EQUAL_DEPTHS 1
 #include "Common/SortBlock.glsl"
 #include "Storage/LinkedList.glsl"
 
