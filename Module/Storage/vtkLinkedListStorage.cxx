@@ -201,10 +201,12 @@ bool vtkLinkedListStorage::ReserveBuffers(
 {
   const vtkTypeInt64 tableBytes = Pixels(this->Tile) * WordBytes;
   const vtkTypeInt64 kept = std::max(this->Table.GetBytes(), tableBytes) +
-    std::max(this->Nodes.GetBytes(), nodeBytes) + CounterBytes(this->Tile) + LayoutBytes;
+    std::max(this->Nodes.GetBytes(), nodeBytes) +
+    std::max(this->Counters.GetBytes(), CounterBytes(this->Tile)) + LayoutBytes;
   if (static_cast<double>(kept) > this->GetLimitBytes(capabilities))
   {
-    this->Table.Release(); // what earlier, larger tiles left
+    this->Counters.Release(); // what earlier, larger tiles left
+    this->Table.Release();
     this->Nodes.Release();
   }
   return this->Table.Reserve(tableBytes) && this->Counters.Reserve(CounterBytes(this->Tile)) &&
