@@ -13,16 +13,18 @@ bool vtkTranslucencyBuffer::Reserve(vtkTypeInt64 bytes)
   {
     glGenBuffers(1, &this->Handle);
   }
-  while (glGetError() != GL_NO_ERROR)
-  {
-    // an older error is not this allocation's
-  }
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
   glBufferData(
     GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  GLint64 held = 0; // asked rather than glGetError, which would also take errors that are not this allocation's
+  glGetBufferParameteri64v(GL_COPY_WRITE_BUFFER, GL_BUFFER_SIZE, &held);
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-  if (glGetError() != GL_NO_ERROR)
+  if (held != bytes)
   {
+    while (glGetError() == GL_OUT_OF_MEMORY)
+    {
+      // the caller is told
+    }
     this->Release();
     return false;
   }

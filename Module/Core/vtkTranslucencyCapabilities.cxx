@@ -1,5 +1,6 @@
 #include "vtkTranslucencyCapabilities.h"
 
+#include "Common/Bindings.glsl"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -52,6 +53,14 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
       result.MissingForStorage = "storage blocks in fragment shaders (4 are needed, the driver has " +
         std::to_string(blocks) + ")";
     }
+  }
+
+  GLfloat points[2] = { 0, 0 };
+  glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, points);
+  if (result.MissingForStorage.empty() && points[1] < RESOLVE_SQUARE)
+  {
+    result.MissingForStorage = "points of " + std::to_string(RESOLVE_SQUARE) +
+      " pixels (its largest have " + std::to_string(points[1]) + ")";
   }
 
   result.KeepsDrawOrder = result.Renderer.find("llvmpipe") != std::string::npos ||

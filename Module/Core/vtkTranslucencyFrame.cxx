@@ -63,6 +63,18 @@ Rectangle Intersect(const Rectangle& a, const Rectangle& b)
 
 constexpr vtkTypeInt64 StatisticsBytes = sizeof(unsigned int) * 4;
 
+int SquaresAcross(int pixels)
+{
+  return (pixels + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE;
+}
+
+// Of Statistics.glsl's block: what is of the whole frame, and a word a square of the tile.
+vtkTypeInt64 GetStatisticsBytes(const Rectangle& tile)
+{
+  return StatisticsBytes +
+    static_cast<vtkTypeInt64>(sizeof(unsigned int)) * SquaresAcross(tile[2]) * SquaresAcross(tile[3]);
+}
+
 // What a shader is made from, as one string.
 std::string Key(const std::string& name, const std::map<std::string, std::string>& defines,
   const std::map<std::string, std::string>& offered)
@@ -107,8 +119,10 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   kept.GatherTime = -1;
   kept.ResolveTime = -1;
 
-  kept.StatisticsBlock.Reserve(StatisticsBytes);
+  // No tile has more squares than all of them together: what was counted is not lost by growing in between.
+  kept.StatisticsBlock.Reserve(GetStatisticsBytes(this->Drawn));
   kept.StatisticsBlock.Clear(StatisticsBytes);
+  kept.Resolved.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -154,8 +168,7 @@ void vtkTranslucencyFrame::CutTile(int parts)
 void vtkTranslucencyFrame::UseTile()
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  const std::array<Rectangle, 2> block{ { this->Tile, this->Viewport } };
-  kept.FrameBlock.Upload(block.data(), sizeof(block));
+  kept.FrameBlock.Upload(this->Tile.data(), sizeof(this->Tile));
   kept.FrameBlock.BindUniform(UNIFORM_BINDING_FRAME);
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
@@ -227,6 +240,10 @@ void vtkTranslucencyFrame::DrawGeometry()
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_MULTISAMPLE); // one fragment a pixel and primitive, at the pixel's centre
 
+  if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
+  {
+    kept.OpaqueDepth->Activate();
+  }
   this->Pass->PreRender(this->State);
   kept.Gathering = true;
   this->Pass->TranslucentPass->Render(this->State);
@@ -325,13 +342,6 @@ vtkShaderProgram* vtkTranslucencyFrame::PrepareResolve(
 }
 
 //------------------------------------------------------------------------------
-int vtkTranslucencyFrame::GetSquareCount() const
-{
-  const auto across = [](int pixels) { return (pixels + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE; };
-  return across(this->Tile[2]) * across(this->Tile[3]);
-}
-
-//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::Resolve(
   const std::string& file, const Defines& defines, const Squares& squares, const Uniforms& uniforms)
 {
@@ -343,15 +353,17 @@ bool vtkTranslucencyFrame::Resolve(
   }
   ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
   this->UseTile();
+  const int across = SquaresAcross(this->Tile[2]);
+  const int down = SquaresAcross(this->Tile[3]);
   if (squares.Level == 0)
   {
-    const vtkTypeInt64 bytes = static_cast<vtkTypeInt64>(sizeof(unsigned int)) * this->GetSquareCount();
-    if (!kept.StatisticsBlock.Reserve(StatisticsBytes + bytes))
+    const vtkTypeInt64 bytes = GetStatisticsBytes(this->Tile);
+    if (!kept.StatisticsBlock.Reserve(bytes))
     {
       return this->Fail("the driver has no memory for the resolve");
     }
     constexpr vtkTypeInt64 leftLevels = sizeof(unsigned int) * 2;
-    kept.StatisticsBlock.Clear(StatisticsBytes + bytes - leftLevels, leftLevels);
+    kept.StatisticsBlock.Clear(bytes - leftLevels, leftLevels);
   }
   kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
   program->SetUniformi("resolveLevel", squares.Level);
@@ -363,8 +375,10 @@ bool vtkTranslucencyFrame::Resolve(
   }
 
   vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  state->vtkglViewport(this->Tile[0], this->Tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
+  glEnable(GL_PROGRAM_POINT_SIZE);
   state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
@@ -374,7 +388,8 @@ bool vtkTranslucencyFrame::Resolve(
     glGenVertexArrays(1, &kept.VertexArray);
   }
   glBindVertexArray(kept.VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 6 * this->GetSquareCount());
+  glDrawArrays(GL_POINTS, 0, across * down);
+  kept.Resolved.reset();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;
@@ -383,13 +398,13 @@ bool vtkTranslucencyFrame::Resolve(
 //------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::IsLeftTo(int level)
 {
-  return (this->Pass->Internal->DownloadStatistics().LeftLevels >> level) & 1u;
+  return (this->Pass->Internal->GetResolveStatistics().LeftLevels >> level) & 1u;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyFrame::GetDeepestPixel()
 {
-  return this->Pass->Internal->DownloadStatistics().DeepestPixel;
+  return this->Pass->Internal->GetResolveStatistics().DeepestPixel;
 }
 
 //------------------------------------------------------------------------------

@@ -92,7 +92,6 @@ private:
   void DrawGeometry();
   bool PrepareGather();
   vtkShaderProgram* PrepareResolve(const std::string& file, const Defines& defines);
-  int GetSquareCount() const;
 
   vtkTranslucencyPass* Pass;
   const vtkRenderState* State;

@@ -22,6 +22,7 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bo
   state->vtkglGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
   state->vtkglGetFloatv(GL_COLOR_CLEAR_VALUE, this->ClearColor.data());
   glGetFloatv(GL_POINT_SIZE, &this->PointSize);
+  this->ProgramPointSize = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
   glGetFloatv(GL_LINE_WIDTH, &this->LineWidth);
   glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
   glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
@@ -97,6 +98,7 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
   {
     state->SetEnumState(saved.first, saved.second);
   }
+  (this->ProgramPointSize ? glEnable : glDisable)(GL_PROGRAM_POINT_SIZE); // the cache doesn't know it
   // The cache must forget its program before ours is put back behind its back.
   this->Window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Program));

@@ -47,6 +47,7 @@ private:
   std::array<unsigned char, 4> ColorMask;
   std::array<float, 4> ClearColor;
   float PointSize;
+  bool ProgramPointSize;
   float LineWidth;
   unsigned char DepthMask;
   int DepthFunction;

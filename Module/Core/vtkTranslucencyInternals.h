@@ -18,6 +18,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,7 +65,8 @@ struct vtkTranslucencyPass::Internals
     unsigned int LeftLevels;
     unsigned int Unused;
   };
-  ResolveStatistics DownloadStatistics() const;
+  const ResolveStatistics& GetResolveStatistics(); // waits for the resolves so far, once
+  std::optional<ResolveStatistics> Resolved;
   vtkTranslucencyBuffer FrameBlock;
   vtkTranslucencyBuffer StatisticsBlock;
 
@@ -73,7 +75,6 @@ struct vtkTranslucencyPass::Internals
   vtkTypeInt64 PlanFragments = 0;
 
   vtkNew<vtkTranslucencyStatistics> Statistics;
-  bool StatisticsPending = false;
   double GatherTime = -1; // milliseconds, all tiles; negative if not measured
   double ResolveTime = -1;
 

@@ -122,7 +122,6 @@ void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
   const bool alive = window != nullptr;
   this->FrameBlock.Release(alive);
   this->StatisticsBlock.Release(alive);
-  this->StatisticsPending = false;
   this->GatherKey.clear();
   this->GatherText.clear();
   this->Programs.clear();
@@ -149,12 +148,15 @@ void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkTranslucencyPass::Internals::ResolveStatistics
-vtkTranslucencyPass::Internals::DownloadStatistics() const
+const vtkTranslucencyPass::Internals::ResolveStatistics&
+vtkTranslucencyPass::Internals::GetResolveStatistics()
 {
-  ResolveStatistics statistics;
-  this->StatisticsBlock.Download(&statistics, sizeof(statistics));
-  return statistics;
+  if (!this->Resolved)
+  {
+    this->Resolved.emplace();
+    this->StatisticsBlock.Download(&*this->Resolved, sizeof(ResolveStatistics));
+  }
+  return *this->Resolved;
 }
 
 //------------------------------------------------------------------------------
@@ -250,13 +252,7 @@ const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(
 //------------------------------------------------------------------------------
 vtkTranslucencyStatistics* vtkTranslucencyPass::GetStatistics()
 {
-  Internals& kept = *this->Internal;
-  if (kept.StatisticsPending && kept.Window)
-  {
-    kept.StatisticsPending = false;
-    kept.Statistics->SetDeepestPixel(kept.DownloadStatistics().DeepestPixel);
-  }
-  return kept.Statistics;
+  return this->Internal->Statistics;
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +291,6 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state)
   vtkRenderer* renderer = state->GetRenderer();
   this->NumberOfRenderedProps = 0;
   kept.Statistics->Reset();
-  kept.StatisticsPending = false;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || !this->TranslucentPass)
   {
@@ -347,9 +342,9 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state)
     kept.FrameBlock.GetBytes() + kept.StatisticsBlock.GetBytes() + this->GetTechniqueBytes());
   kept.Statistics->SetGatherTime(kept.GatherTime);
   kept.Statistics->SetResolveTime(kept.ResolveTime);
-  kept.StatisticsPending = true;
+  kept.Statistics->SetDeepestPixel(kept.GetResolveStatistics().DeepestPixel);
   this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
-  if (kept.DownloadStatistics().Unfinished)
+  if (kept.GetResolveStatistics().Unfinished)
   {
     vtkErrorMacro(<< "a pixel has more fragments than the driver's loops can take; it is drawn incompletely");
   }

@@ -1,10 +1,14 @@
 #include "RenderTest.h"
 
+#include <vtkActor.h>
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOutputWindow.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderStepsPass.h>
+#include <vtkSphereSource.h>
 #include <vtkTranslucencyCapabilities.h>
 #include <vtkTranslucencyPass.h>
 
@@ -134,4 +138,25 @@ Compositor AdaptiveCompositor(int nodeCount, Reference::Removal removal)
 {
   return [=](const std::vector<Reference::Fragment>& fragments)
   { return Reference::CompositeAdaptive(fragments, nodeCount, removal); };
+}
+
+//------------------------------------------------------------------------------
+void AddBall(vtkRenderer* renderer, bool impostors, double x, double y, double z)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(60);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> ball;
+  ball->SetMapper(mapper);
+  ball->SetScale(1, 1, 0.005); // the depths of an analytic scene are two units long
+  ball->SetPosition(x, y, z);
+  ball->GetProperty()->SetOpacity(0.5);
+  if (impostors)
+  {
+    ball->GetProperty()->SetRepresentationToPoints();
+    ball->GetProperty()->SetRenderPointsAsSpheres(true);
+    ball->GetProperty()->SetPointSize(20);
+  }
+  renderer->AddActor(ball);
 }

@@ -56,6 +56,10 @@ protected:
 /// True if the driver behind a view that has rendered keeps the order of drawing among the fragments of a pixel.
 bool KeepsDrawOrder(View& view);
 
+/// Adds a lit, translucent ball of radius 60 and depth 0.6 at these coordinates. As impostors it is drawn by its points as spheres,
+/// whose shaders set gl_FragDepth.
+void AddBall(vtkRenderer* renderer, bool impostors, double x, double y, double z);
+
 /// Draws a scene once by a pass.
 Picture Draw(const AnalyticScene& scene, vtkTranslucencyPass* pass);
 

@@ -2,13 +2,9 @@
 #include "GLState.h"
 #include "RenderTest.h"
 
-#include <vtkActor.h>
 #include <vtkFragmentStorage.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkSphereSource.h>
 #include <vtkTranslucencyPass.h>
 #include <vtkTranslucencyStatistics.h>
 
@@ -56,34 +52,14 @@ void PrintTo(const Situation& value, std::ostream* os)
   *os << value.Name;
 }
 
-void AddBall(View& view, bool impostors, double x)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(x, 100, 0);
-  sphere->SetRadius(60);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> ball;
-  ball->SetMapper(mapper);
-  ball->SetScale(1, 1, 0.01);
-  ball->GetProperty()->SetOpacity(0.5);
-  if (impostors)
-  {
-    ball->GetProperty()->SetRepresentationToPoints();
-    ball->GetProperty()->SetRenderPointsAsSpheres(true);
-    ball->GetProperty()->SetPointSize(20);
-  }
-  view.Renderer->AddActor(ball);
-}
-
 const Situation Situations[] = {
   { "Rectangles", [](View&, vtkFragmentListPass*) {}, false },
   { "Cells",
     [](View& view, vtkFragmentListPass*)
     { RandomMosaic(400, 300, 1, 3, 0.1, 0.5).AddTo(view.Renderer); },
     false },
-  { "LitSurface", [](View& view, vtkFragmentListPass*) { AddBall(view, false, 200); }, false },
-  { "PointsAsSpheres", [](View& view, vtkFragmentListPass*) { AddBall(view, true, 200); }, false },
+  { "LitSurface", [](View& view, vtkFragmentListPass*) { AddBall(view.Renderer, false, 200, 100, 0); }, false },
+  { "PointsAsSpheres", [](View& view, vtkFragmentListPass*) { AddBall(view.Renderer, true, 200, 100, 0); }, false },
   { "Tiles", [](View&, vtkFragmentListPass* pass) { pass->GetStorage()->SetMemoryLimit(1); },
     false },
   { "Timers", [](View&, vtkFragmentListPass* pass) { pass->MeasureTimesOn(); }, false },

@@ -1,8 +1,14 @@
 // A limit on memory changes how often the scene is drawn, never the picture.
 #include "RenderTest.h"
 
+#include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkFragmentStorage.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkTranslucencyStatistics.h>
+
+#include <algorithm>
 
 namespace
 {
@@ -86,6 +92,44 @@ TEST_F(TestMemoryLimitChange, TakesEffectInTheNextFrame)
     EXPECT_EQ(Compare(whole, view.Render()).Largest, 0) << limit;
     EXPECT_EQ(pass->GetStatistics()->GetTiles() > 1, limit > 0) << limit;
   }
+}
+
+//------------------------------------------------------------------------------
+// Impostors are tested against a copy of the opaque depth: it must be there each time that the geometry is drawn.
+TEST_F(TestMemoryLimitChange, ImpostorsAreHiddenInEveryTile)
+{
+  View view(400, 300);
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(0, -200, 100); // the right half of the picture
+  source->SetPoint1(200, -200, 100);
+  source->SetPoint2(0, 200, 100);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> opaque;
+  opaque->SetMapper(mapper);
+  view.Renderer->AddActor(opaque);
+  AddBall(view.Renderer, true, 0, 0, 0);
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(100);
+  camera->SetPosition(0, 0, 500);
+  camera->SetClippingRange(100, 1000);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const Picture grown = view.Render();
+  EXPECT_GT(pass->GetStatistics()->GetGeometryPasses(), 1);
+  const auto half = [](const Picture& picture, int x) { return Crop(picture, x, 0, 200, 300); };
+  const Picture hidden = half(grown, 200);
+  EXPECT_EQ(std::count(hidden.Rgb.begin(), hidden.Rgb.end(), hidden.Rgb[0]),
+    static_cast<std::ptrdiff_t>(hidden.Rgb.size())) << "the opaque plane is white";
+  EXPECT_GT(Compare(half(grown, 0), hidden).RootMeanSquare, 0.1);
+
+  const Picture whole = view.Render();
+  EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 1);
+  EXPECT_EQ(Compare(grown, whole).Largest, 0);
+  pass->GetStorage()->SetMemoryLimit(0.1);
+  EXPECT_EQ(Compare(whole, view.Render()).Largest, 0);
+  EXPECT_GT(pass->GetStatistics()->GetTiles(), 1);
 }
 
 //------------------------------------------------------------------------------

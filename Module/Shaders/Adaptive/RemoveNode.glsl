@@ -12,10 +12,8 @@
 // Needs: NODE_COUNT, NODE_REMOVAL.  Gives: Visibility, removeNode.
 #ifndef RemoveNode_glsl
 #define RemoveNode_glsl
+#include "Adaptive/NodeBlocks.glsl"
 #include "Common/Language.glsl"
-#ifndef NODE_COUNT
-#error "RemoveNode.glsl needs NODE_COUNT"
-#endif
 #ifndef NODE_REMOVAL
 #error "RemoveNode.glsl needs NODE_REMOVAL"
 #endif
@@ -24,7 +22,6 @@
 #define NODE_REMOVAL_OVERESTIMATE 1
 #define NODE_REMOVAL_MIXED 2
 #define NODE_EMPTY 2.0f // behind every window depth
-#define NODE_BLOCK 16
 
 struct Visibility
 {
@@ -33,60 +30,71 @@ struct Visibility
   bool tied; // fragments of equal depth have come in
 };
 
-// Node j's depth goes, and one transmittance: that of node j - 1 (underestimate) or of node j (overestimate). Those behind
-// move up.
-void dropNode(INOUT(Visibility) v, int droppedDepth, int droppedTransmittance)
+// What goes: node `depth`'s depth, and one transmittance: that of node depth - 1 (underestimate) or of the node itself
+// (overestimate). area is what that loses.
+struct Removal
 {
-  for (int block = 0; block < NODE_COUNT; block += NODE_BLOCK)
+  float area;
+  int depth;
+  int transmittance;
+};
+
+void findLeast(INOUT(Visibility) v, INOUT(Removal) least, int block)
+{
+  for (int i = 1; i <= NODE_BLOCK; ++i)
   {
-    for (int i = 0; i < NODE_BLOCK; ++i)
+    int k = block + i;
+    if (k <= NODE_COUNT)
     {
-      int k = block + i;
+      float step = v.t[k - 1] - v.t[k];
+#if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
+      float under = step * (v.z[k] - v.z[k - 1]);
+      least.depth = under < least.area ? k : least.depth;
+      least.transmittance = under < least.area ? k - 1 : least.transmittance;
+      least.area = min(under, least.area);
+#endif
+#if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
       if (k < NODE_COUNT)
       {
-        v.z[k] = k < droppedDepth ? v.z[k] : v.z[k + 1];
-        v.t[k] = k < droppedTransmittance ? v.t[k] : v.t[k + 1];
+        float over = step * (v.z[k + 1] - v.z[k]);
+        least.depth = over < least.area ? k : least.depth;
+        least.transmittance = over < least.area ? k : least.transmittance;
+        least.area = min(over, least.area);
       }
+#endif
     }
   }
-  v.z[NODE_COUNT] = NODE_EMPTY;
+}
+
+// Those behind what is removed move up.
+void moveUp(INOUT(Visibility) v, Removal removed, int block)
+{
+  for (int i = 0; i < NODE_BLOCK; ++i)
+  {
+    int k = block + i;
+    if (k < NODE_COUNT)
+    {
+      v.z[k] = k < removed.depth ? v.z[k] : v.z[k + 1];
+      v.t[k] = k < removed.transmittance ? v.t[k] : v.t[k + 1];
+    }
+  }
 }
 
 void removeNode(INOUT(Visibility) v)
 {
-  float least = 1e30f;
-  int depth = 0;
-  int transmittance = 0;
-#if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
-  least = (1.0f - v.t[0]) * (v.z[1] - v.z[0]);
+  Removal least;
+  least.depth = 0;
+  least.transmittance = 0;
+#if NODE_REMOVAL == NODE_REMOVAL_UNDERESTIMATE
+  least.area = 1e30f;
+#else
+  least.area = (1.0f - v.t[0]) * (v.z[1] - v.z[0]);
 #endif
-  for (int block = 1; block <= NODE_COUNT; block += NODE_BLOCK)
-  {
-    for (int i = 0; i < NODE_BLOCK; ++i)
-    {
-      int k = block + i;
-      if (k <= NODE_COUNT)
-      {
-        float step = v.t[k - 1] - v.t[k];
-#if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
-        float under = step * (v.z[k] - v.z[k - 1]);
-        depth = under < least ? k : depth;
-        transmittance = under < least ? k - 1 : transmittance;
-        least = min(under, least);
-#endif
-#if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
-        if (k < NODE_COUNT)
-        {
-          float over = step * (v.z[k + 1] - v.z[k]);
-          depth = over < least ? k : depth;
-          transmittance = over < least ? k : transmittance;
-          least = min(over, least);
-        }
-#endif
-      }
-    }
-  }
-  dropNode(v, depth, transmittance);
+#define FIND_LEAST(block) findLeast(v, least, block);
+  EACH_BLOCK(FIND_LEAST)
+#define MOVE_UP(block) moveUp(v, least, block);
+  EACH_BLOCK(MOVE_UP)
+  v.z[NODE_COUNT] = NODE_EMPTY;
 }
 
 #endif

@@ -6,6 +6,7 @@
 // Needs: COLOR_FORMAT (COLOR_FORMAT_HALF_FLOAT or COLOR_FORMAT_RGBA8).  Gives: Fragment, packColor, unpackColor.
 #ifndef Fragment_glsl
 #define Fragment_glsl
+#include "Common/HalfFloat.glsl"
 #ifndef COLOR_FORMAT
 #error "Fragment.glsl needs COLOR_FORMAT"
 #endif
@@ -24,7 +25,8 @@ uvec2 packColor(vec4 color)
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
   return uvec2(packUnorm4x8(color), 0u);
 #else
-  return uvec2(packHalf2x16(vec2(color.r, color.g)), packHalf2x16(vec2(color.b, color.a)));
+  uvec4 halves = floatToHalf(color);
+  return halves.xz | (halves.yw << 16u);
 #endif
 }
 
@@ -33,7 +35,8 @@ vec4 unpackColor(uvec2 words)
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
   return unpackUnorm4x8(words.x);
 #else
-  return vec4(unpackHalf2x16(words.x), unpackHalf2x16(words.y));
+  uvec4 halves = uvec4(words & 0xffffu, words >> 16u);
+  return halfToFloat(halves << HALF_MANTISSA_SHIFT).xzyw;
 #endif
 }
 

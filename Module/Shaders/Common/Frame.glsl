@@ -1,7 +1,7 @@
 // Frame.glsl: what holds for the whole tile that is being drawn.
 //
-// Gives, in window pixels (x, y, width, height): frameTile, the rectangle that is drawn now: the viewport, or a part of it
-// when the viewport does not fit into the memory limit; frameViewport, OpenGL's viewport.
+// Gives: frameTile, the rectangle that is drawn now, in window pixels (x, y, width, height): the viewport, or a part of it when the
+// viewport does not fit into the memory limit.
 #ifndef Frame_glsl
 #define Frame_glsl
 #include "Common/Bindings.glsl"
@@ -9,7 +9,6 @@
 layout(std140, binding = UNIFORM_BINDING_FRAME) uniform TranslucencyFrame
 {
   ivec4 frameTile;
-  ivec4 frameViewport;
 };
 
 #endif

@@ -1,4 +1,8 @@
-// ResolveSquares.glsl: the vertex shader of every resolve: two triangles a square of pixels, from gl_VertexID alone.
+// ResolveSquares.glsl: the vertex shader of every resolve: a point as large as a square of pixels, from gl_VertexID alone.
+//
+// Points, not pairs of triangles: a driver shades small blocks of pixels, and those on the diagonal of a square twice, for each of
+// its triangles. On squares of 16 x 16 that is a quarter more work. OpenGL's viewport is the tile, rounded up to whole squares: a
+// point whose centre is outside would be clipped.
 //
 // A square is drawn by the resolve whose range its number of fragments falls into, resolveFewer < n <= resolveMost, and by
 // those to whose level a pixel of it was left. Squares in which nothing is stored are not drawn.
@@ -14,16 +18,14 @@ uniform int resolveMost;
 
 void main()
 {
-  int square = gl_VertexID / 6;
-  int corner = gl_VertexID % 6;
-  int squaresAcross = (frameTile.z + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE;
-  ivec2 at = ivec2(square % squaresAcross, square / squaresAcross);
+  int square = gl_VertexID;
+  ivec2 squares = (frameTile.zw + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE;
+  ivec2 at = ivec2(square % squares.x, square / squares.x);
   int expected = int(squareFragments(frameTile.xy + at * RESOLVE_SQUARE));
   bool left = (squareLevels[square] & (1u << resolveLevel)) != 0u;
   bool drawn = left || (expected > resolveFewer && expected <= resolveMost);
 
-  at += ivec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);
-  vec2 pixel = vec2(frameTile.xy + at * RESOLVE_SQUARE - frameViewport.xy);
-  vec2 position = 2.0 * pixel / vec2(frameViewport.zw) - 1.0;
+  vec2 position = vec2(2 * at + 1) / vec2(squares) - 1.0;
   gl_Position = drawn ? vec4(position, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_PointSize = float(RESOLVE_SQUARE);
 }

@@ -1,0 +1,46 @@
+// What must not become slow without anyone noticing: ratios of times taken in turn, with bounds that only a cliff passes.
+#include "RenderTest.h"
+
+#include <vtkTranslucencyStatistics.h>
+
+#include <algorithm>
+
+class TestSpeed : public RenderTest
+{
+protected:
+  /// Milliseconds: the shortest of some resolves.
+  double GetResolveTime(vtkAdaptiveTransparencyPass* pass)
+  {
+    View view(this->Scene);
+    view.SetPass(pass);
+    pass->MeasureTimesOn();
+    double shortest = VTK_DOUBLE_MAX;
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      view.Render();
+      shortest = std::min(shortest, pass->GetStatistics()->GetResolveTime());
+    }
+    return shortest;
+  }
+
+  const AnalyticScene Scene = RandomMosaic(128, 128, 1, 150, 0.02, 0.1);
+};
+
+//------------------------------------------------------------------------------
+// A compiler that does not unroll a loop over the nodes makes the resolve ten times slower; here the steps of 64 nodes are
+// four times those of 16.
+TEST_F(TestSpeed, NodesStayInRegistersUpTo64)
+{
+  for (int removal : { vtkAdaptiveTransparencyPass::Underestimate,
+         vtkAdaptiveTransparencyPass::Overestimate, vtkAdaptiveTransparencyPass::Mixed })
+  {
+    vtkNew<vtkAdaptiveTransparencyPass> few;
+    vtkNew<vtkAdaptiveTransparencyPass> many;
+    few->SetNodeRemoval(removal);
+    many->SetNodeRemoval(removal);
+    few->SetNodeCount(16);
+    many->SetNodeCount(64);
+    const double expected = 4 * this->GetResolveTime(few);
+    EXPECT_LT(this->GetResolveTime(many), 1.5 * expected) << "removal " << removal;
+  }
+}
