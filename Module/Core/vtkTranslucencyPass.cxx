@@ -381,21 +381,20 @@ void vtkTranslucencyPass::RenderFallback(
   }
   kept.Warned = reason;
   kept.Statistics->SetFallback(peel ? "peeling" : "blending");
-  if (!peel)
+  vtkRenderPass* drawing = this->TranslucentPass;
+  if (peel)
   {
-    this->TranslucentPass->Render(state);
-    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
-    return;
+    if (!kept.Peeling)
+    {
+      kept.Peeling = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
+      kept.Peeling->SetMaximumNumberOfPeels(VTK_INT_MAX); // until every pixel is done
+      kept.Peeling->SetOcclusionRatio(0);
+    }
+    kept.Peeling->SetTranslucentPass(this->TranslucentPass);
+    drawing = kept.Peeling;
   }
-  if (!kept.Peeling)
-  {
-    kept.Peeling = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
-    kept.Peeling->SetMaximumNumberOfPeels(VTK_INT_MAX); // until every pixel is done
-    kept.Peeling->SetOcclusionRatio(0);
-  }
-  kept.Peeling->SetTranslucentPass(this->TranslucentPass);
-  kept.Peeling->Render(state);
-  this->NumberOfRenderedProps = kept.Peeling->GetNumberOfRenderedProps();
+  drawing->Render(state);
+  this->NumberOfRenderedProps = drawing->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------

@@ -113,7 +113,7 @@ bool vtkFragmentListPass::ResolveLeftLists(vtkTranslucencyFrame& frame)
   if (frame.IsLeftTo(ShortEqualDepths) &&
     !frame.Resolve("ABuffer/ResolveShort.glsl",
       { { "BLOCK_SIZE", std::to_string(this->LargestBlock) }, { "EQUAL_DEPTHS", "1" },
-        { "LONGER_LEVEL", LevelText(Runs) },
+        { "LONGER_LEVEL", LevelText(Long) }, // longer lists are done by now, or left to that already
         { "EQUAL_DEPTHS_LEVEL", LevelText(ShortEqualDepths) } },
       Squares::LeftTo(ShortEqualDepths)))
   {
