@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 
 #include <set>
+#include <vector>
 
 namespace
 {
@@ -30,16 +31,22 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   result.Renderer = window->GetState()->GetRenderer();
 
   const std::set<std::string> extensions = Extensions();
-  for (const char* needed :
-    { "GL_ARB_shader_storage_buffer_object", "GL_ARB_shader_image_load_store",
-      "GL_ARB_shading_language_420pack", "GL_ARB_shading_language_packing",
-      "GL_ARB_shader_bit_encoding", "GL_ARB_clear_buffer_object" })
-  {
-    if (extensions.count(needed) == 0)
+  const auto missing = [&extensions](const std::vector<std::string>& needed) {
+    std::string names;
+    for (const std::string& name : needed)
     {
-      result.MissingForStorage += (result.MissingForStorage.empty() ? "" : ", ") + std::string(needed);
+      if (extensions.count(name) == 0)
+      {
+        names += (names.empty() ? "" : ", ") + name;
+      }
     }
-  }
+    return names;
+  };
+  result.MissingForStorage = missing({ "GL_ARB_shader_storage_buffer_object",
+    "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack",
+    "GL_ARB_shading_language_packing", "GL_ARB_shader_bit_encoding", "GL_ARB_gpu_shader5",
+    "GL_ARB_clear_buffer_object" });
+  result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
   if (result.MissingForStorage.empty())
   {
     GLint64 bytes = 0;

@@ -17,6 +17,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// What fragment storage needs and the driver lacks, as extension names separated by ", "; empty if nothing.
   std::string MissingForStorage;
 
+  /// What coverage masks need and the driver lacks, in the same way.
+  std::string MissingForSamples;
+
   /// True if fragments of one pixel reach their shader's side effects in the order in which they were drawn. Software
   /// rasterizers bin primitives into tiles and shade each tile in order by one thread; GPUs do not promise it.
   bool KeepsDrawOrder = false;

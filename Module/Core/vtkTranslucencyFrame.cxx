@@ -61,6 +61,8 @@ Rectangle Intersect(const Rectangle& a, const Rectangle& b)
     std::max(0, std::min(a[1] + a[3], b[1] + b[3]) - y) } };
 }
 
+constexpr int MostSamples = 8; // that a node has room for
+
 constexpr vtkTypeInt64 StatisticsBytes = sizeof(unsigned int) * 4;
 
 int SquaresAcross(int pixels)
@@ -116,6 +118,23 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   kept.Plan.clear();
   kept.PlanFragments = 0;
   kept.OpaqueDepthCaptured = false;
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  std::string missing = kept.Capabilities.MissingForSamples;
+  if (samples > MostSamples)
+  {
+    missing = "windows of at most " + std::to_string(MostSamples) + " samples";
+  }
+  if (samples <= 1 || missing.empty())
+  {
+    this->Samples = std::max(1, samples);
+  }
+  else if (kept.MissingForSamples != missing)
+  {
+    kept.MissingForSamples = missing;
+    vtkWarningWithObjectMacro(pass, << "multi-sampled translucency needs " << missing
+                                    << "; drawing it with one sample a pixel");
+  }
   kept.GatherTime = -1;
   kept.ResolveTime = -1;
 
@@ -173,6 +192,7 @@ void vtkTranslucencyFrame::UseTile()
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(this->Tile[0], this->Tile[1], this->Tile[2], this->Tile[3]);
+  glDisable(GL_SAMPLE_MASK); // of the sample that was resolved last
 }
 
 //------------------------------------------------------------------------------
@@ -183,6 +203,7 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() con
   {
     offered = this->Storage->GetDefines();
   }
+  offered["SAMPLES"] = std::to_string(this->Samples);
   offered["FRAGMENT_ORDER"] = this->Pass->Internal->Capabilities.KeepsDrawOrder
     ? "FRAGMENT_ORDER_DRAWN"
     : "FRAGMENT_ORDER_CONTENT";
@@ -238,7 +259,8 @@ void vtkTranslucencyFrame::DrawGeometry()
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_MULTISAMPLE); // one fragment a pixel and primitive, at the pixel's centre
+  // Without, there is one fragment a pixel and primitive, if the primitive covers the pixel's centre.
+  state->SetEnumState(GL_MULTISAMPLE, this->Samples > 1);
 
   if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
   {
@@ -262,6 +284,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
   using Outcome = vtkFragmentStorage::Outcome;
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   this->Storage = storage;
+  this->Sample = BeforeSamples;
   if (!this->PrepareGather())
   {
     return false;
@@ -355,7 +378,7 @@ bool vtkTranslucencyFrame::Resolve(
   this->UseTile();
   const int across = SquaresAcross(this->Tile[2]);
   const int down = SquaresAcross(this->Tile[3]);
-  if (squares.Level == 0)
+  if (squares.Level == 0 && this->Sample < 0)
   {
     const vtkTypeInt64 bytes = GetStatisticsBytes(this->Tile);
     if (!kept.StatisticsBlock.Reserve(bytes))
@@ -369,6 +392,10 @@ bool vtkTranslucencyFrame::Resolve(
   program->SetUniformi("resolveLevel", squares.Level);
   program->SetUniformi("resolveFewer", squares.Fewer);
   program->SetUniformi("resolveMost", squares.Most);
+  if (this->Samples > 1)
+  {
+    program->SetUniformi("resolveSample", this->Sample);
+  }
   for (const auto& uniform : uniforms)
   {
     program->SetUniformi(uniform.first.c_str(), uniform.second);
@@ -378,6 +405,12 @@ bool vtkTranslucencyFrame::Resolve(
   const vtkOpenGLState::ScopedglViewport viewport(state);
   state->vtkglViewport(this->Tile[0], this->Tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
   glEnable(GL_PROGRAM_POINT_SIZE);
+  state->SetEnumState(GL_MULTISAMPLE, this->Samples > 1);
+  if (this->Sample >= 0)
+  {
+    glEnable(GL_SAMPLE_MASK);
+    glSampleMaski(0, 1u << this->Sample);
+  }
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_BLEND);
@@ -393,6 +426,14 @@ bool vtkTranslucencyFrame::Resolve(
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::NextSample()
+{
+  ++this->Sample;
+  return this->Sample == WholePixel ||
+    (this->Sample < this->Samples && this->Samples > 1 && this->IsLeftTo(LEVEL_SAMPLES));
 }
 
 //------------------------------------------------------------------------------

@@ -83,6 +83,7 @@ struct vtkTranslucencyPass::Internals
 
   vtkSmartPointer<vtkDualDepthPeelingPass> Peeling;
   std::string Warned; // the reason for a fallback that was last warned of
+  std::string MissingForSamples; // the same for drawing with one sample
 };
 
 #endif

@@ -419,7 +419,8 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
   }
   else
   {
-    system += "layout(early_fragment_tests) in;\n";
+    system += "layout(early_fragment_tests) in;\n#ifdef GL_ARB_post_depth_coverage\n"
+              "layout(post_depth_coverage) in;\n#endif\n"; // the samples that pass the test
   }
   const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
   const std::string call = "gatherFragment(gl_FragData[0], " + depth + ");\n";

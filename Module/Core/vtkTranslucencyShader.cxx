@@ -23,7 +23,9 @@ const char* vtkTranslucencyShader::GetExtensions()
          "#extension GL_ARB_shader_image_load_store : require\n"
          "#extension GL_ARB_shading_language_420pack : require\n"
          "#extension GL_ARB_shading_language_packing : require\n"
-         "#extension GL_ARB_shader_bit_encoding : require\n";
+         "#extension GL_ARB_shader_bit_encoding : require\n"
+         "#extension GL_ARB_gpu_shader5 : require\n" // gl_SampleMaskIn
+         "#extension GL_ARB_post_depth_coverage : enable\n";
 }
 
 //------------------------------------------------------------------------------

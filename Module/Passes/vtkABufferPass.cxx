@@ -46,12 +46,8 @@ std::vector<vtkTranslucencyOption> vtkABufferPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
-bool vtkABufferPass::RenderStages(vtkTranslucencyFrame& frame)
+bool vtkABufferPass::ResolveLists(vtkTranslucencyFrame& frame)
 {
-  if (!frame.Gather(this->Storage))
-  {
-    return false;
-  }
   if (this->Resolve == Iterative)
   {
     return frame.Resolve("ABuffer/Iterative.glsl", { { "UNFINISHED_LEVEL", LevelText(Long) } }, {}) &&

@@ -48,7 +48,7 @@ protected:
   vtkABufferPass() = default;
   ~vtkABufferPass() override = default;
 
-  bool RenderStages(vtkTranslucencyFrame& frame) override;
+  bool ResolveLists(vtkTranslucencyFrame& frame) override;
 
   int Resolve = Recursive;
 

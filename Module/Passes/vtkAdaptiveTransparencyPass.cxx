@@ -78,12 +78,8 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
-bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
+bool vtkAdaptiveTransparencyPass::ResolveLists(vtkTranslucencyFrame& frame)
 {
-  if (!frame.Gather(this->Storage))
-  {
-    return false;
-  }
   // A list of no more fragments than nodes needs no compression: it is exact, and sorting it takes fewer steps.
   vtkTranslucencyFrame::Squares rest;
   if (!this->ResolveShortLists(frame, this->NodeCount, Technique, rest))

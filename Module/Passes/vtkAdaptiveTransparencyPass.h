@@ -70,7 +70,7 @@ protected:
   vtkAdaptiveTransparencyPass() = default;
   ~vtkAdaptiveTransparencyPass() override = default;
 
-  bool RenderStages(vtkTranslucencyFrame& frame) override;
+  bool ResolveLists(vtkTranslucencyFrame& frame) override;
 
   int NodeCount = 16;
   int NodeRemoval = Underestimate;

@@ -80,6 +80,17 @@ std::string vtkFragmentListPass::LevelText(int level)
 }
 
 //------------------------------------------------------------------------------
+bool vtkFragmentListPass::RenderStages(vtkTranslucencyFrame& frame)
+{
+  bool drawn = frame.Gather(this->Storage);
+  while (drawn && frame.NextSample())
+  {
+    drawn = this->ResolveLists(frame);
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
 bool vtkFragmentListPass::ResolveShortLists(
   vtkTranslucencyFrame& frame, int most, int longer, vtkTranslucencyFrame::Squares& rest)
 {

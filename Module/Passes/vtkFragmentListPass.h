@@ -64,6 +64,12 @@ protected:
    */
   bool ResolveLeftLists(vtkTranslucencyFrame& frame);
 
+  /**
+   * Draws what the storage holds of the current tile: the resolves of the technique, which see the whole pixel or one sample of it.
+   */
+  virtual bool ResolveLists(vtkTranslucencyFrame& frame) = 0;
+
+  bool RenderStages(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 

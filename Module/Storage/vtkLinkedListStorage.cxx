@@ -79,9 +79,10 @@ vtkTypeInt64 vtkLinkedListStorage::GetNodesAllowed(
     ? block
     : this->GetLimitBytes(capabilities) - table - static_cast<double>(CounterBytes(tile) + LayoutBytes);
   const double bytes = table > block ? 0 : std::min(limit, block);
-  // Node numbers are 32-bit words, and 0 is none.
+  // Heads have so many bits for a node's number, and 0 is none.
   return static_cast<vtkTypeInt64>(
-    std::clamp(std::floor(bytes / static_cast<double>(this->GetNodeBytes())), 0.0, 4294967294.0));
+    std::clamp(std::floor(bytes / static_cast<double>(this->GetNodeBytes())), 0.0,
+      static_cast<double>(LIST_HEAD_MASK - 1)));
 }
 
 //------------------------------------------------------------------------------
@@ -135,6 +136,11 @@ vtkFragmentStorage::Outcome vtkLinkedListStorage::Begin(
   this->Ranges = this->GetRanges(this->Layouts[tile]);
   const vtkTypeInt64 nodes =
     std::accumulate(this->Ranges.begin(), this->Ranges.end(), vtkTypeInt64(0));
+  if (nodes > this->NodesAllowed) // the limit has been lowered since they were counted
+  {
+    this->Fragments = nodes;
+    return Outcome::TooLarge;
+  }
   if (!this->ReserveBuffers(nodes * this->GetNodeBytes(), capabilities))
   {
     return Outcome::OutOfMemory;
@@ -189,7 +195,7 @@ std::vector<vtkTypeInt64> vtkLinkedListStorage::GetRanges(const TileLayout& layo
       wide[y * across + x] = most + most / 8;
     }
   }
-  // What was counted always fits; what is more than that only if the limit allows it.
+  // What was counted has to fit; what is more than that only if the limit allows it.
   const bool fits =
     std::accumulate(wide.begin(), wide.end(), vtkTypeInt64(0)) <= this->NodesAllowed;
   return fits ? wide : tight;
@@ -238,7 +244,9 @@ vtkFragmentStorage::Outcome vtkLinkedListStorage::End()
     return Outcome::Complete;
   }
   layout.FramesMoving = first ? 0 : FramesMovingAfterOverflow;
-  return this->Fragments <= this->NodesAllowed ? Outcome::Grown : Outcome::TooLarge;
+  return this->Fragments <= this->NodesAllowed && this->FullestCell <= LIST_MOST_NODES_OF_CELL
+    ? Outcome::Grown
+    : Outcome::TooLarge;
 }
 
 //------------------------------------------------------------------------------

@@ -24,9 +24,9 @@ public:
   vtkTranslucencyFrame::Defines Defines;
 
 protected:
-  bool RenderStages(vtkTranslucencyFrame& frame) override
+  bool ResolveLists(vtkTranslucencyFrame& frame) override
   {
-    return frame.Gather(this->Storage) && frame.Resolve(this->File, this->Defines, {});
+    return frame.Resolve(this->File, this->Defines, {});
   }
 };
 vtkStandardNewMacro(BrokenPass);

@@ -10,6 +10,7 @@
 #endif
 #include "Common/Fragment.glsl"
 #include "Common/Order.glsl"
+#include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
@@ -28,7 +29,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     float visibility[GROUP];
     for (int i = 0; i < GROUP; ++i)
     {
-      Fragment fragment = Fragment(0.0, uvec2(0u)); // transparent, where the list has ended
+      Fragment fragment = EMPTY_FRAGMENT(0.0); // transparent, where the list has ended
       if (cursor != 0u)
       {
         nextFragment(cursor, fragment);
@@ -69,8 +70,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     leaveToLevel(pixel, UNFINISHED_LEVEL);
     return false;
   }
-  recordFragments(count);
-  dropFragments(pixel);
+  finishPixel(pixel, count);
   return count > 0u;
 }
 

@@ -9,6 +9,7 @@
 #endif
 #include "ABuffer/Blend.glsl"
 #include "Common/Fragment.glsl"
+#include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/SelectedSort.glsl"
 
@@ -31,7 +32,7 @@ void advanceRun(inout Runs runs, int nearest)
     rest = k == nearest ? runs.rest[k] : rest;
     left = k == nearest ? runs.left[k] : left;
   }
-  Fragment next = Fragment(BLOCK_EMPTY, uvec2(0u));
+  Fragment next = EMPTY_FRAGMENT(BLOCK_EMPTY);
   if (left > 0u)
   {
     nextFragment(rest, next);
@@ -66,7 +67,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   Runs runs;
   for (int k = 0; k < RUNS; ++k)
   {
-    runs.head[k] = Fragment(BLOCK_EMPTY, uvec2(0u));
+    runs.head[k] = EMPTY_FRAGMENT(BLOCK_EMPTY);
     runs.rest[k] = 0u;
     runs.left[k] = 0u;
   }
@@ -108,8 +109,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     advanceRun(runs, nearest);
     ++blended;
   }
-  recordFragments(count);
-  dropFragments(pixel);
+  finishPixel(pixel, count);
   return count > 0u;
 }
 

@@ -13,6 +13,7 @@
 #include "ABuffer/Blend.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/SortBlock.glsl"
+#include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
@@ -49,8 +50,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   {
     blendBehind(color, transmittance, block.color[i]); // an empty element is transparent
   }
-  recordFragments(count);
-  dropFragments(pixel);
+  finishPixel(pixel, count);
   return count > 0u;
 }
 

@@ -4,6 +4,7 @@
 //
 // Needs: COLOR_FORMAT.
 #include "ABuffer/Blend.glsl"
+#include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
@@ -23,6 +24,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     }
   }
   recordUnfinished(cursor);
+  finishPixel(pixel, 0u); // SortRuns.glsl has counted them
   return holdsFragments;
 }
 

@@ -13,8 +13,17 @@
 #endif
 #include "Adaptive/Visibility.glsl"
 #include "Common/Fragment.glsl"
+#include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
+
+#define BEHIND_ALL_NODES 3.0
+
+// Fragments that don't cover the sample take no node: nothing moves for what lies behind all of them.
+float nodeDepth(Fragment fragment, float alpha)
+{
+  return alpha > 0.0 ? fragment.depth : BEHIND_ALL_NODES;
+}
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 {
@@ -27,8 +36,8 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   {
     float alpha = unpackColor(fragment.color).a;
     transmittance *= 1.0 - alpha;
-    insertFragment(visibility, fragment.depth, alpha, count);
-    ++count;
+    insertFragment(visibility, nodeDepth(fragment, alpha), alpha, count);
+    count += alpha > 0.0 ? 1 : 0;
   }
 #if !EQUAL_DEPTHS
   if (visibility.tied)
@@ -42,9 +51,10 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   while (nextFragment(cursor, fragment))
   {
     vec4 shaded = unpackColor(fragment.color);
-    color += transmittanceBefore(visibility, fragment.depth) * shaded.a * shaded.rgb;
+    float depth = nodeDepth(fragment, shaded.a);
+    color += transmittanceBefore(visibility, depth) * shaded.a * shaded.rgb;
 #if EQUAL_DEPTHS
-    passNode(visibility, fragment.depth);
+    passNode(visibility, depth);
 #endif
   }
   if (unread != 0u || cursor != 0u)
@@ -52,8 +62,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     leaveToLevel(pixel, UNFINISHED_LEVEL);
     return false;
   }
-  recordFragments(uint(count));
-  dropFragments(pixel);
+  finishPixel(pixel, uint(count));
   return count > 0;
 }
 

@@ -9,6 +9,7 @@
 #define STORAGE_BINDINGS 4
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
+#define LEVEL_SAMPLES 31  // pixels that are resolved sample by sample, see Samples.glsl
 
 #define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
 #define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout

@@ -3,7 +3,7 @@
 // depth is the window depth, 0 at the near plane and 1 at the far plane. The colour is packed, not multiplied by its
 // opacity: half floats keep opacities far below 1/255 and colours above 1; RGBA8 takes half the room.
 //
-// Needs: COLOR_FORMAT (COLOR_FORMAT_HALF_FLOAT or COLOR_FORMAT_RGBA8).  Gives: Fragment, packColor, unpackColor.
+// Needs: COLOR_FORMAT (COLOR_FORMAT_HALF_FLOAT or COLOR_FORMAT_RGBA8).  Gives: Fragment, EMPTY_FRAGMENT, packColor, unpackColor.
 #ifndef Fragment_glsl
 #define Fragment_glsl
 #include "Common/HalfFloat.glsl"
@@ -18,7 +18,10 @@ struct Fragment
 {
   float depth;
   uvec2 color;
+  uint coverage; // one bit a sample of the pixel
 };
+
+#define EMPTY_FRAGMENT(depth) Fragment(depth, uvec2(0u), 0u)
 
 uvec2 packColor(vec4 color)
 {

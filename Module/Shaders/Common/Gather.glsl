@@ -7,11 +7,26 @@
 #ifndef Gather_glsl
 #define Gather_glsl
 #include "Common/Fragment.glsl"
+#include "Common/Samples.glsl"
 #include "Storage/Selected.glsl"
+
+// The samples that the primitive covers and that pass the depth test.
+uint coveredSamples()
+{
+#if SAMPLES > 1
+  return uint(gl_SampleMaskIn[0]) & ALL_SAMPLES;
+#else
+  return ALL_SAMPLES;
+#endif
+}
 
 void gatherFragment(vec4 color, float depth)
 {
-  storeFragment(ivec2(gl_FragCoord.xy), Fragment(depth, packColor(color)));
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (inTile(pixel))
+  {
+    storeFragment(pixel, Fragment(depth, packColor(color), coveredSamples()));
+  }
 }
 
 #endif

@@ -9,6 +9,7 @@
 //
 // Needs: what the storage needs.  Gives: main.
 #include "Common/Frame.glsl"
+#include "Common/Samples.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
@@ -24,6 +25,9 @@ void main()
   int expected = int(squareFragments(frameTile.xy + at * RESOLVE_SQUARE));
   bool left = (squareLevels[square] & (1u << resolveLevel)) != 0u;
   bool drawn = left || (expected > resolveFewer && expected <= resolveMost);
+#if SAMPLES > 1
+  drawn = drawn && (resolveSample < 0 || (squareLevels[square] & (1u << LEVEL_SAMPLES)) != 0u);
+#endif
 
   vec2 position = vec2(2 * at + 1) / vec2(squares) - 1.0;
   gl_Position = drawn ? vec4(position, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);

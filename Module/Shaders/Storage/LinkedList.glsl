@@ -7,13 +7,17 @@
 // Writes need no memory barrier among each other: each node is written by the one invocation that was given it, and only the
 // atomic operations meet. The barrier between writing and reading is the application's.
 //
-// Needs: COLOR_FORMAT.  Gives: storeFragment, firstFragment, nextFragment, dropFragments, squareFragments, and for
+// With several samples a pixel, a link is the distance to the next node in 24 bits (0: none), so that the coverage finds room beside
+// it, and the upper bits of a head count the samples that are resolved.
+//
+// Needs: COLOR_FORMAT, SAMPLES.  Gives: storeFragment, firstFragment, nextFragment, dropFragments, squareFragments, and for
 // sorting: loadNode, linkNode, setFirstFragment.
 #ifndef LinkedList_glsl
 #define LinkedList_glsl
 #include "Common/Bindings.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/Frame.glsl"
+#include "Common/Samples.glsl"
 #include "Storage/LinkedListLayout.glsl"
 
 layout(std140, binding = UNIFORM_BINDING_STORAGE) uniform ListLayout
@@ -48,14 +52,45 @@ uint headIndex(ivec2 pixel)
   return uint(at.y * frameTile.z + at.x);
 }
 
+// The first word of a node.
+uint packLink(uint node, uint next, uint coverage)
+{
+#if SAMPLES > 1
+  uint distance = next == 0u ? 0u : (next - node) & LIST_DISTANCE_MASK;
+  return coverage << LIST_DISTANCE_BITS | distance;
+#else
+  return next;
+#endif
+}
+
+uint unpackNext(uint node, uint link)
+{
+#if SAMPLES > 1
+  int distance = int(link << (32u - LIST_DISTANCE_BITS)) >> (32u - LIST_DISTANCE_BITS);
+  return distance == 0 ? 0u : uint(int(node) + distance);
+#else
+  return link;
+#endif
+}
+
+uint unpackCoverage(uint link)
+{
+#if SAMPLES > 1
+  return link >> LIST_DISTANCE_BITS;
+#else
+  return ALL_SAMPLES;
+#endif
+}
+
 void writeNode(uint index, uint next, Fragment fragment)
 {
+  uint link = packLink(index + 1u, next, fragment.coverage);
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-  listNodes[index * 3u] = next;
+  listNodes[index * 3u] = link;
   listNodes[index * 3u + 1u] = floatBitsToUint(fragment.depth);
   listNodes[index * 3u + 2u] = fragment.color.x;
 #else
-  listNodes[index] = uvec4(next, floatBitsToUint(fragment.depth), fragment.color);
+  listNodes[index] = uvec4(link, floatBitsToUint(fragment.depth), fragment.color);
 #endif
 }
 
@@ -89,38 +124,57 @@ Fragment loadNode(uint node, out uint next)
 {
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
   uint word = (node - 1u) * 3u;
-  next = listNodes[word];
-  return Fragment(uintBitsToFloat(listNodes[word + 1u]), uvec2(listNodes[word + 2u], 0u));
+  uvec4 words = uvec4(listNodes[word], listNodes[word + 1u], listNodes[word + 2u], 0u);
 #else
   uvec4 words = listNodes[node - 1u];
-  next = words.x;
-  return Fragment(uintBitsToFloat(words.y), words.zw);
 #endif
+  next = unpackNext(node, words.x);
+  return Fragment(uintBitsToFloat(words.y), words.zw, unpackCoverage(words.x));
 }
 
 void linkNode(uint node, uint next)
 {
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-  listNodes[(node - 1u) * 3u] = next;
+#define LINK_OF(node) listNodes[(node - 1u) * 3u]
 #else
-  listNodes[node - 1u].x = next;
+#define LINK_OF(node) listNodes[node - 1u].x
+#endif
+#if SAMPLES > 1
+  LINK_OF(node) = packLink(node, next, unpackCoverage(LINK_OF(node)));
+#else
+  LINK_OF(node) = next;
 #endif
 }
 
 uint firstFragment(ivec2 pixel)
 {
-  return listHeads[headIndex(pixel)];
+  uint head = listHeads[headIndex(pixel)];
+#if SAMPLES > 1
+  bool resolved = int(head >> LIST_HEAD_BITS) > resolveSample && resolveSample >= 0;
+  return resolved ? 0u : head & LIST_HEAD_MASK;
+#else
+  return head;
+#endif
 }
 
 void setFirstFragment(ivec2 pixel, uint node)
 {
+#if SAMPLES > 1
+  node |= listHeads[headIndex(pixel)] & ~LIST_HEAD_MASK;
+#endif
   listHeads[headIndex(pixel)] = node;
 }
 
-// The pixel is done: whoever asks next finds no fragments.
+// The pixel, or the sample of it that is being resolved, is done: whoever asks next finds no fragments.
 void dropFragments(ivec2 pixel)
 {
-  setFirstFragment(pixel, 0u);
+#if SAMPLES > 1
+  uint head = listHeads[headIndex(pixel)] & LIST_HEAD_MASK;
+  bool last = resolveSample < 0 || resolveSample == SAMPLES - 1;
+  listHeads[headIndex(pixel)] = last ? 0u : uint(resolveSample + 1) << LIST_HEAD_BITS | head;
+#else
+  listHeads[headIndex(pixel)] = 0u;
+#endif
 }
 
 bool nextFragment(inout uint cursor, out Fragment fragment)
@@ -129,7 +183,7 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
   {
     return false;
   }
-  fragment = loadNode(cursor, cursor);
+  fragment = atSample(loadNode(cursor, cursor));
   return true;
 }
 

@@ -134,7 +134,7 @@ uint mergeRuns(ivec2 pixel, uint runLength)
           uint left = (takeB ? leftB : leftA) - 1u;
           left = node == 0u ? 0u : left;
           uint next = 0u;
-          Fragment head = Fragment(BLOCK_EMPTY, uvec2(0u));
+          Fragment head = EMPTY_FRAGMENT(BLOCK_EMPTY);
           if (left > 0u)
           {
             head = loadNode(node, next);

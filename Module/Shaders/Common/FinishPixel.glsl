@@ -1,0 +1,20 @@
+// FinishPixel.glsl: what every resolve ends a pixel with.
+//
+// Needs: what the storage needs.  Gives: finishPixel.
+#ifndef FinishPixel_glsl
+#define FinishPixel_glsl
+#include "Common/Samples.glsl"
+#include "Common/Statistics.glsl"
+#include "Storage/Selected.glsl"
+
+// All count fragments of the pixel have been composited. They stay where its samples have to be resolved one by one.
+void finishPixel(ivec2 pixel, uint count)
+{
+  recordFragments(count);
+  if (samplesAgree())
+  {
+    dropFragments(pixel);
+  }
+}
+
+#endif
