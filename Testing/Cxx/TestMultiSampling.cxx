@@ -369,3 +369,19 @@ TEST_F(TestMultiSamplingOf, RectanglesOnPixelBordersNeedsNoMasks)
     EXPECT_NE(messages[0].find(missing), std::string::npos) << messages[0];
   }
 }
+
+//------------------------------------------------------------------------------
+// Their shaders set gl_FragDepth: the samples that pass are not known from the early test, but from a copy of the opaque depth.
+TEST_F(TestMultiSamplingOf, ImpostorsAreDrawn)
+{
+  AnalyticScene scene;
+  scene.Opaque.push_back({ 0, 0, 200, 300, 0.01, { { 1, 1, 1 } }, 1 });
+  View view(scene, 4);
+  AddBall(view.Renderer, true, 200, 150, -0.6);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+  EXPECT_EQ(drawn.At(300, 20, 0), 0) << "beside the ball";
+  EXPECT_GT(drawn.At(230, 150, 0), 10) << "the ball";
+}
