@@ -55,10 +55,10 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
 
     GLint blocks = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
-    if (blocks < 4)
+    if (blocks < STORAGE_BINDINGS)
     {
-      result.MissingForStorage = "storage blocks in fragment shaders (4 are needed, the driver has " +
-        std::to_string(blocks) + ")";
+      result.MissingForStorage = "storage blocks in fragment shaders (" +
+        std::to_string(STORAGE_BINDINGS) + " are needed, the driver has " + std::to_string(blocks) + ")";
     }
   }
 

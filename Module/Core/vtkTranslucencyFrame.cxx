@@ -284,7 +284,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
   using Outcome = vtkFragmentStorage::Outcome;
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   this->Storage = storage;
-  this->Sample = BeforeSamples;
+  this->SetSample(WholePixel);
   if (!this->PrepareGather())
   {
     return false;
@@ -378,7 +378,7 @@ bool vtkTranslucencyFrame::Resolve(
   this->UseTile();
   const int across = SquaresAcross(this->Tile[2]);
   const int down = SquaresAcross(this->Tile[3]);
-  if (squares.Level == 0 && this->Sample < 0)
+  if (squares.Level == 0 && this->Sample == WholePixel)
   {
     const vtkTypeInt64 bytes = GetStatisticsBytes(this->Tile);
     if (!kept.StatisticsBlock.Reserve(bytes))
@@ -392,6 +392,7 @@ bool vtkTranslucencyFrame::Resolve(
   program->SetUniformi("resolveLevel", squares.Level);
   program->SetUniformi("resolveFewer", squares.Fewer);
   program->SetUniformi("resolveMost", squares.Most);
+  program->SetUniformi("resolveAmong", this->Among);
   if (this->Samples > 1)
   {
     program->SetUniformi("resolveSample", this->Sample);
@@ -429,11 +430,41 @@ bool vtkTranslucencyFrame::Resolve(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::NextSample()
+void vtkTranslucencyFrame::SetSample(int sample, int among)
 {
-  ++this->Sample;
-  return this->Sample == WholePixel ||
-    (this->Sample < this->Samples && this->Samples > 1 && this->IsLeftTo(LEVEL_SAMPLES));
+  this->Sample = sample;
+  this->Among = among;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::ReserveSampleColors()
+{
+  vtkTranslucencyBuffer& colors = this->Pass->Internal->SampleColors;
+  constexpr vtkTypeInt64 colorBytes = 8;
+  const vtkTypeInt64 before = colors.GetBytes();
+  if (!colors.Reserve(colorBytes * this->Samples * this->Tile[2] * this->Tile[3]))
+  {
+    return this->Fail("the driver has no memory for the colours of the samples");
+  }
+  if (colors.GetBytes() != before)
+  {
+    colors.Clear(colors.GetBytes()); // from then on whoever reads them does
+  }
+  colors.BindStorage(STORAGE_BINDING_SAMPLES);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::CompositeSamples()
+{
+  bool drawn = true;
+  for (int sample = 0; sample < this->Samples && drawn; ++sample)
+  {
+    this->SetSample(sample);
+    drawn = this->Resolve("Common/CompositeSamples.glsl", {}, Squares::LeftTo(LEVEL_SAMPLES));
+  }
+  this->SetSample(WholePixel);
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

@@ -46,7 +46,7 @@ public:
   using Uniforms = std::map<std::string, int>;
 
   /// Which squares of pixels a resolve draws: those in which the storage expects more than Fewer and at most Most fragments
-  /// a pixel, and those with pixels that earlier resolves have left to this Level, 0 to 30
+  /// a pixel, and those with pixels that earlier resolves have left to this Level, 0 to 29
   /// (Shaders/Common/Statistics.glsl). The default is all squares that hold fragments.
   struct Squares
   {
@@ -58,12 +58,22 @@ public:
     static Squares LeftTo(int level) { return { level, VTK_INT_MAX, VTK_INT_MAX }; }
   };
 
-  /// True while there are resolves to be run after a Gather: for the whole pixels first, then for one sample after the other if
-  /// there are pixels whose samples differ (Shaders/Common/Samples.glsl).
-  bool NextSample();
+  /// Of a pixel, as far as the window has several and the driver can tell them apart.
+  int GetSamples() const { return this->Samples; }
+
+  /// What the resolves that follow see: WholePixel, or one sample (Shaders/Common/Samples.glsl); and if among is a level, only squares
+  /// with pixels that were left to that, too.
+  void SetSample(int sample, int among = -1);
+  static constexpr int WholePixel = -1;
+
+  /// Makes room for the colours of the tile's samples that a resolve stores (Shaders/Common/SampleColors.glsl).
+  bool ReserveSampleColors();
+
+  /// Blends them over the opaque picture.
+  bool CompositeSamples();
 
   /// Runs a resolve shader over squares of the current tile and blends what it gives over the opaque picture. The storage last
-  /// gathered into is there for it to read. Level 0 comes first. Levels are below LEVEL_SAMPLES (Shaders/Common/Bindings.glsl).
+  /// gathered into is there for it to read. Level 0 comes first. Levels are below LEVEL_EACH_SAMPLE (Shaders/Common/Bindings.glsl).
   bool Resolve(const std::string& file, const Defines& defines, const Squares& squares,
     const Uniforms& uniforms = {});
 
@@ -88,10 +98,6 @@ public:
 private:
   class ScopedTimer;
 
-  // What Sample is when it is not one of them.
-  static constexpr int BeforeSamples = -2;
-  static constexpr int WholePixel = -1;
-
   bool Fail(const std::string& error);
   Defines GetOfferedDefines() const;
   void UseWholeViewportIfItFits();
@@ -111,7 +117,8 @@ private:
   vtkTypeInt64 LastFragments; // of the frame before, all tiles
   vtkFragmentStorage* Storage = nullptr;
   int Samples = 1; // of a pixel
-  int Sample = BeforeSamples;
+  int Sample = WholePixel; // that resolves see
+  int Among = -1;
   std::string Error;
 };
 

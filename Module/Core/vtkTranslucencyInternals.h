@@ -69,6 +69,7 @@ struct vtkTranslucencyPass::Internals
   std::optional<ResolveStatistics> Resolved;
   vtkTranslucencyBuffer FrameBlock;
   vtkTranslucencyBuffer StatisticsBlock;
+  vtkTranslucencyBuffer SampleColors; // Shaders/Common/SampleColors.glsl
 
   // The tiles of the last frame, the first drawn last, and the fragments in them all.
   std::vector<vtkTranslucencyFrame::Rectangle> Plan;

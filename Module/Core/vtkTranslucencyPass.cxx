@@ -122,6 +122,7 @@ void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
   const bool alive = window != nullptr;
   this->FrameBlock.Release(alive);
   this->StatisticsBlock.Release(alive);
+  this->SampleColors.Release(alive);
   this->GatherKey.clear();
   this->GatherText.clear();
   this->Programs.clear();
@@ -339,7 +340,8 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state)
   }
   kept.Statistics->SetFragments(kept.PlanFragments);
   kept.Statistics->SetBytes(
-    kept.FrameBlock.GetBytes() + kept.StatisticsBlock.GetBytes() + this->GetTechniqueBytes());
+    kept.FrameBlock.GetBytes() + kept.StatisticsBlock.GetBytes() + kept.SampleColors.GetBytes() +
+    this->GetTechniqueBytes());
   kept.Statistics->SetGatherTime(kept.GatherTime);
   kept.Statistics->SetResolveTime(kept.ResolveTime);
   kept.Statistics->SetDeepestPixel(kept.GetResolveStatistics().DeepestPixel);

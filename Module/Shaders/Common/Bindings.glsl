@@ -6,10 +6,12 @@
 #define STORAGE_BINDING_COUNTERS 1   // fragment storage: what was allocated
 #define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel
 #define STORAGE_BINDING_FRAGMENTS 3  // fragment storage: the fragments
-#define STORAGE_BINDINGS 4
+#define STORAGE_BINDING_SAMPLES 4    // see SampleColors.glsl
+#define STORAGE_BINDINGS 5
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
-#define LEVEL_SAMPLES 31  // pixels that are resolved sample by sample, see Samples.glsl
+#define LEVEL_SAMPLES 31  // pixels whose samples differ, see Samples.glsl
+#define LEVEL_EACH_SAMPLE 30 // those of them that are resolved sample by sample
 
 #define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
 #define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout

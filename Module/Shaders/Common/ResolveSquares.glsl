@@ -16,6 +16,7 @@
 uniform int resolveLevel;
 uniform int resolveFewer;
 uniform int resolveMost;
+uniform int resolveAmong; // if not negative: only squares left to this level, too
 
 void main()
 {
@@ -26,7 +27,7 @@ void main()
   bool left = (squareLevels[square] & (1u << resolveLevel)) != 0u;
   bool drawn = left || (expected > resolveFewer && expected <= resolveMost);
 #if SAMPLES > 1
-  drawn = drawn && (resolveSample < 0 || (squareLevels[square] & (1u << LEVEL_SAMPLES)) != 0u);
+  drawn = drawn && (resolveAmong < 0 || (squareLevels[square] & (1u << resolveAmong)) != 0u);
 #endif
 
   vec2 position = vec2(2 * at + 1) / vec2(squares) - 1.0;

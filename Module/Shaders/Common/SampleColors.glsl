@@ -1,0 +1,37 @@
+// SampleColors.glsl: the resolved colours of a pixel's samples, on their way into the framebuffer.
+//
+// Four half floats each, multiplied by the opacity; all 0, which changes nothing when it is blended, until a resolve has written them
+// and again after Common/CompositeSamples.glsl has taken them.
+//
+// Needs: SAMPLES.  Gives: storeSample, takeSample.
+#ifndef SampleColors_glsl
+#define SampleColors_glsl
+#include "Common/Bindings.glsl"
+#include "Common/Frame.glsl"
+#include "Common/HalfFloat.glsl"
+
+layout(std430, binding = STORAGE_BINDING_SAMPLES) buffer SampleColors
+{
+  uvec2 sampleColors[];
+};
+
+uint sampleIndex(ivec2 pixel, int index)
+{
+  ivec2 at = pixel - frameTile.xy;
+  return uint((at.y * frameTile.z + at.x) * SAMPLES + index);
+}
+
+void storeSample(ivec2 pixel, int index, vec4 color)
+{
+  uvec4 halves = floatToHalf(color);
+  sampleColors[sampleIndex(pixel, index)] = halves.xz | (halves.yw << 16u);
+}
+
+vec4 takeSample(ivec2 pixel, int index)
+{
+  uvec2 words = sampleColors[sampleIndex(pixel, index)];
+  sampleColors[sampleIndex(pixel, index)] = uvec2(0u);
+  return halfToFloat(uvec4(words & 0xffffu, words >> 16u) << HALF_MANTISSA_SHIFT).xzyw;
+}
+
+#endif
