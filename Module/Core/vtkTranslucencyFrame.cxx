@@ -99,7 +99,6 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   : Pass(pass)
   , State(state)
   , Window(window)
-  , Viewport(found.GetViewport())
   , Drawn(Intersect(found.GetViewport(), found.GetScissor()))
   , Tile(this->Drawn)
   , LastFragments(pass->Internal->PlanFragments)
@@ -392,10 +391,10 @@ bool vtkTranslucencyFrame::Resolve(
   program->SetUniformi("resolveLevel", squares.Level);
   program->SetUniformi("resolveFewer", squares.Fewer);
   program->SetUniformi("resolveMost", squares.Most);
-  program->SetUniformi("resolveAmong", this->Among);
   if (this->Samples > 1)
   {
     program->SetUniformi("resolveSample", this->Sample);
+    program->SetUniformi("resolveAmong", this->Among);
   }
   for (const auto& uniform : uniforms)
   {

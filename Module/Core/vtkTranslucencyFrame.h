@@ -110,7 +110,6 @@ private:
   vtkTranslucencyPass* Pass;
   const vtkRenderState* State;
   vtkOpenGLRenderWindow* Window;
-  Rectangle Viewport;
   Rectangle Drawn; // the part of the viewport that the scissor test leaves
   Rectangle Tile;
   std::vector<Rectangle> Waiting; // tiles still to be drawn, the next one last

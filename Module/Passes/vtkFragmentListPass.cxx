@@ -121,7 +121,8 @@ bool vtkFragmentListPass::ResolveEachSample(vtkTranslucencyFrame& frame)
 {
   const int left = this->LargestBlock == 0 ? LEVEL_SAMPLES : LEVEL_EACH_SAMPLE;
   bool drawn = true;
-  for (int sample = 0; sample < frame.GetSamples() && drawn && frame.IsLeftTo(left); ++sample)
+  const int samples = frame.IsLeftTo(left) ? frame.GetSamples() : 0;
+  for (int sample = 0; sample < samples && drawn; ++sample)
   {
     frame.SetSample(sample, left);
     drawn = this->ResolveLists(frame);

@@ -110,21 +110,9 @@ vtkSmartPointer<vtkPolyData> MakeQuads(const Layer& layer)
 
 vtkSmartPointer<vtkActor> MakeActor(const Layer& layer)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(MakeQuads(layer));
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  vtkProperty* property = actor->GetProperty();
-  property->LightingOff();
-  property->SetAmbient(1); // with diffuse 0, the shader's colour is the given one
-  property->SetDiffuse(0);
-  if (layer.size() == 1)
-  {
-    const Rectangle& rectangle = layer.front();
-    property->SetColor(rectangle.Rgb[0], rectangle.Rgb[1], rectangle.Rgb[2]);
-    property->SetOpacity(rectangle.Alpha);
-  }
-  return actor;
+  const bool one = layer.size() == 1; // else the cells have their colours
+  return NewUnlitActor(MakeQuads(layer), one ? layer.front().Rgb : Reference::Color{ { 1, 1, 1 } },
+    one ? layer.front().Alpha : 1);
 }
 
 AnalyticScene Rounded(AnalyticScene scene, double (*round)(double))
@@ -179,6 +167,22 @@ Rectangle PartOfView(const AnalyticScene& scene, std::mt19937& random)
   pick(scene.Height, rectangle.Bottom, rectangle.Top);
   return rectangle;
 }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> NewUnlitActor(vtkPolyData* data, const Reference::Color& rgb, double alpha)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->LightingOff();
+  property->SetAmbient(1); // with diffuse 0, the shader's colour is the given one
+  property->SetDiffuse(0);
+  property->SetColor(rgb[0], rgb[1], rgb[2]);
+  property->SetOpacity(alpha);
+  return actor;
 }
 
 //------------------------------------------------------------------------------

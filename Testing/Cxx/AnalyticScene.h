@@ -10,10 +10,17 @@
 #include "Picture.h"
 #include "Reference.h"
 
+#include <vtkSmartPointer.h>
+
 #include <functional>
 #include <vector>
 
+class vtkActor;
+class vtkPolyData;
 class vtkRenderer;
+
+/// Drawn in this very colour, without lights.
+vtkSmartPointer<vtkActor> NewUnlitActor(vtkPolyData* data, const Reference::Color& rgb, double alpha);
 
 struct Rectangle
 {

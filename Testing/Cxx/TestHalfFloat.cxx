@@ -69,3 +69,17 @@ TEST(TestHalfFloat, WhatAHalfCannotHoldBecomesTheNextThatItCan)
   EXPECT_EQ(ToHalf(Limits::quiet_NaN()), 0u);
   EXPECT_EQ(ToHalf(Limits::denorm_min()), 0u);
 }
+
+//------------------------------------------------------------------------------
+TEST(TestHalfFloat, FourComeBackInTheirPlaces)
+{
+  const vec4 numbers(1.0f, 0.25f, 1e-6f, 65504.0f);
+  const uvec2 words = packHalves(numbers);
+  EXPECT_EQ(words.x, packHalf2x16(vec2(numbers.x, numbers.y)));
+  EXPECT_EQ(words.y, packHalf2x16(vec2(numbers.z, numbers.w)));
+  const vec4 back = unpackHalves(words);
+  EXPECT_EQ(back.x, numbers.x);
+  EXPECT_EQ(back.y, numbers.y);
+  EXPECT_EQ(back.z, unpackHalf1x16(packHalf1x16(numbers.z)));
+  EXPECT_EQ(back.w, numbers.w);
+}

@@ -7,8 +7,6 @@
 #include <vtkOpenGLState.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkTranslucencyCapabilities.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
@@ -124,16 +122,7 @@ void TriangleScene::AddTo(vtkRenderer* renderer) const
       data->SetPoints(points);
       data->AllocateExact(1, 3);
       data->InsertNextCell(VTK_TRIANGLE, 3, ids);
-      vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(data);
-      vtkNew<vtkActor> actor;
-      actor->SetMapper(mapper);
-      actor->GetProperty()->LightingOff();
-      actor->GetProperty()->SetAmbient(1);
-      actor->GetProperty()->SetDiffuse(0);
-      actor->GetProperty()->SetColor(triangle.Rgb[0], triangle.Rgb[1], triangle.Rgb[2]);
-      actor->GetProperty()->SetOpacity(triangle.Alpha);
-      renderer->AddActor(actor);
+      renderer->AddActor(NewUnlitActor(data, triangle.Rgb, triangle.Alpha));
     }
   }
 }

@@ -8,30 +8,18 @@
 #error "ABuffer/ResolveSamples.glsl needs LONGER_LEVEL"
 #endif
 #include "ABuffer/Blend.glsl"
-#include "Common/Fragment.glsl"
+#include "ABuffer/LoadBlock.glsl"
 #include "Common/SampleColors.glsl"
-#include "Common/SortBlock.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 {
   Block block;
-  emptyBlock(block);
-  uint cursor = firstFragment(pixel);
-  uint count = 0u;
-  for (int i = 0; i < BLOCK_SIZE; ++i)
-  {
-    Fragment fragment;
-    if (nextFragment(cursor, fragment))
-    {
-      block.depth[i] = fragment.depth;
-      block.color[i] = fragment.color;
-      block.node[i] = fragment.coverage;
-      ++count;
-    }
-  }
-  if (cursor != 0u)
+  uint count;
+  uint unread;
+  loadBlock(pixel, block, count, unread);
+  if (unread != 0u)
   {
     leaveToLevel(pixel, LONGER_LEVEL);
     return false;
@@ -47,7 +35,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     float sampleTransmittance = 1.0;
     for (int i = 0; i < BLOCK_SIZE; ++i)
     {
-      bool covers = ((block.node[i] >> uint(index)) & 1u) != 0u;
+      bool covers = ((block.carried[i] >> uint(index)) & 1u) != 0u;
       blendBehind(sampleColor, sampleTransmittance, covers ? block.color[i] : uvec2(0u));
     }
     storeSample(pixel, index, vec4(sampleColor, 1.0 - sampleTransmittance));

@@ -11,8 +11,7 @@
 #error "ABuffer/ResolveShort.glsl needs EQUAL_DEPTHS_LEVEL"
 #endif
 #include "ABuffer/Blend.glsl"
-#include "Common/Fragment.glsl"
-#include "Common/SortBlock.glsl"
+#include "ABuffer/LoadBlock.glsl"
 #include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
@@ -20,20 +19,10 @@
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 {
   Block block;
-  emptyBlock(block);
-  uint cursor = firstFragment(pixel);
-  uint count = 0u;
-  for (int i = 0; i < BLOCK_SIZE; ++i)
-  {
-    Fragment fragment;
-    if (nextFragment(cursor, fragment))
-    {
-      block.depth[i] = fragment.depth;
-      block.color[i] = fragment.color;
-      ++count;
-    }
-  }
-  if (cursor != 0u)
+  uint count;
+  uint unread;
+  loadBlock(pixel, block, count, unread);
+  if (unread != 0u)
   {
     leaveToLevel(pixel, LONGER_LEVEL);
     return false;

@@ -28,8 +28,7 @@ uvec2 packColor(vec4 color)
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
   return uvec2(packUnorm4x8(color), 0u);
 #else
-  uvec4 halves = floatToHalf(color);
-  return halves.xz | (halves.yw << 16u);
+  return packHalves(color);
 #endif
 }
 
@@ -38,8 +37,7 @@ vec4 unpackColor(uvec2 words)
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
   return unpackUnorm4x8(words.x);
 #else
-  uvec4 halves = uvec4(words & 0xffffu, words >> 16u);
-  return halfToFloat(halves << HALF_MANTISSA_SHIFT).xzyw;
+  return unpackHalves(words);
 #endif
 }
 

@@ -7,7 +7,8 @@
 // Numbers that a half float can't hold, above HALF_LARGEST, become that; negative ones and NaN become 0. Below HALF_SMALLEST_NORMAL
 // halves are multiples of 2^-24, as they should: adding that number to one of them shifts its bits to where they belong.
 //
-// Needs: nothing.  Gives: floatToHalf (to the nearest; halfway between two, the larger), halfToFloat (exact).
+// Needs: nothing.  Gives: floatToHalf (to the nearest; halfway between two, the larger), halfToFloat (exact), and for four of
+// them in two words: packHalves, unpackHalves.
 #ifndef HalfFloat_glsl
 #define HalfFloat_glsl
 
@@ -34,6 +35,18 @@ vec4 halfToFloat(uvec4 shifted)
   bvec4 subnormal = lessThan(shifted, uvec4(HALF_EXPONENT_STEP));
   uvec4 bits = shifted + HALF_EXPONENT_BIAS + uvec4(subnormal) * HALF_EXPONENT_STEP;
   return uintBitsToFloat(bits) - vec4(subnormal) * HALF_SMALLEST_NORMAL;
+}
+
+uvec2 packHalves(vec4 numbers)
+{
+  uvec4 halves = floatToHalf(numbers);
+  return uvec2(halves.x | (halves.y << 16u), halves.z | (halves.w << 16u));
+}
+
+vec4 unpackHalves(uvec2 words)
+{
+  uvec4 halves = uvec4(words.x & 0xffffu, words.x >> 16u, words.y & 0xffffu, words.y >> 16u);
+  return halfToFloat(halves << HALF_MANTISSA_SHIFT);
 }
 
 #endif

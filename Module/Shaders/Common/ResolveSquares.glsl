@@ -16,7 +16,9 @@
 uniform int resolveLevel;
 uniform int resolveFewer;
 uniform int resolveMost;
+#if SAMPLES > 1
 uniform int resolveAmong; // if not negative: only squares left to this level, too
+#endif
 
 void main()
 {

@@ -23,15 +23,15 @@ uint sampleIndex(ivec2 pixel, int index)
 
 void storeSample(ivec2 pixel, int index, vec4 color)
 {
-  uvec4 halves = floatToHalf(color);
-  sampleColors[sampleIndex(pixel, index)] = halves.xz | (halves.yw << 16u);
+  sampleColors[sampleIndex(pixel, index)] = packHalves(color);
 }
 
 vec4 takeSample(ivec2 pixel, int index)
 {
-  uvec2 words = sampleColors[sampleIndex(pixel, index)];
-  sampleColors[sampleIndex(pixel, index)] = uvec2(0u);
-  return halfToFloat(uvec4(words & 0xffffu, words >> 16u) << HALF_MANTISSA_SHIFT).xzyw;
+  uint at = sampleIndex(pixel, index);
+  vec4 color = unpackHalves(sampleColors[at]);
+  sampleColors[at] = uvec2(0u);
+  return color;
 }
 
 #endif

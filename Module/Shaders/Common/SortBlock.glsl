@@ -27,7 +27,7 @@ struct Block
   float depth[BLOCK_SIZE];
   uvec2 color[BLOCK_SIZE];
   uint age[BLOCK_SIZE];
-  uint node[BLOCK_SIZE]; // where the fragment lies in the storage; carried along
+  uint carried[BLOCK_SIZE]; // goes where its fragment goes: where that lies in the storage, or its coverage
 };
 
 void emptyBlock(OUT(Block) block)
@@ -37,7 +37,7 @@ void emptyBlock(OUT(Block) block)
     block.depth[i] = BLOCK_EMPTY;
     block.color[i] = uvec2(0u);
     block.age[i] = uint(i);
-    block.node[i] = 0u;
+    block.carried[i] = 0u;
   }
 }
 
@@ -56,7 +56,7 @@ void emptyBlock(OUT(Block) block)
     EXCHANGE_IF(swapped, float, depth, i, j) \
     EXCHANGE_IF(swapped, uvec2, color, i, j) \
     EXCHANGE_IF(swapped, uint, age, i, j) \
-    EXCHANGE_IF(swapped, uint, node, i, j) \
+    EXCHANGE_IF(swapped, uint, carried, i, j) \
   }
 #else
 #define COMPARE(i, j) \
@@ -64,7 +64,7 @@ void emptyBlock(OUT(Block) block)
     bool swapped = block.depth[j] < block.depth[i]; \
     EXCHANGE_IF(swapped, float, depth, i, j) \
     EXCHANGE_IF(swapped, uvec2, color, i, j) \
-    EXCHANGE_IF(swapped, uint, node, i, j) \
+    EXCHANGE_IF(swapped, uint, carried, i, j) \
   }
 #endif
 

@@ -58,7 +58,7 @@ uint appendSortedRun(inout SortedList list, out uint length)
   {
     if (list.rest != 0u)
     {
-      block.node[i] = list.rest;
+      block.carried[i] = list.rest;
       Fragment fragment = loadNode(list.rest, list.rest);
       block.depth[i] = fragment.depth;
       block.color[i] = fragment.color;
@@ -68,12 +68,12 @@ uint appendSortedRun(inout SortedList list, out uint length)
   sortBlock(block);
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
-    if (block.node[i] != 0u)
+    if (block.carried[i] != 0u)
     {
-      appendNode(list, block.node[i]);
+      appendNode(list, block.carried[i]);
     }
   }
-  return block.node[0];
+  return block.carried[0];
 }
 
 // Sorts the list in runs of 32. Gives the number of fragments; unread is 0 unless the driver has ended the loop.

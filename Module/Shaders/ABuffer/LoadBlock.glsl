@@ -1,0 +1,29 @@
+// ABuffer/LoadBlock.glsl: a pixel's list, as far as it fits, into the registers in which it is sorted.
+//
+// Needs: what the storage and Common/SortBlock.glsl need.  Gives: loadBlock, Block.
+#ifndef LoadBlock_glsl
+#define LoadBlock_glsl
+#include "Common/Fragment.glsl"
+#include "Common/SortBlock.glsl"
+#include "Storage/Selected.glsl"
+
+// count is the number of fragments in the block, which carries their coverage along; unread is 0 if they are all that the pixel has.
+void loadBlock(ivec2 pixel, out Block block, out uint count, out uint unread)
+{
+  emptyBlock(block);
+  count = 0u;
+  unread = firstFragment(pixel);
+  for (int i = 0; i < BLOCK_SIZE; ++i)
+  {
+    Fragment fragment;
+    if (nextFragment(unread, fragment))
+    {
+      block.depth[i] = fragment.depth;
+      block.color[i] = fragment.color;
+      block.carried[i] = fragment.coverage;
+      ++count;
+    }
+  }
+}
+
+#endif
