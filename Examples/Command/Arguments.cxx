@@ -64,7 +64,7 @@ std::array<int, 2> ToSize(const std::string& text)
   return { { std::stoi(text.substr(0, cross)), std::stoi(text.substr(cross + 1)) } };
 }
 
-void AddSceneOptions(CLI::App* command, Written& written)
+void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments)
 {
   command->add_option("INPUT", written.Sources,
     "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)");
@@ -99,6 +99,12 @@ void AddSceneOptions(CLI::App* command, Written& written)
   const std::string view = "View";
   command->add_option("--size", written.SizeText, "size of the picture, 1280x720 by default")
     ->check(SizeText())
+    ->group(view);
+  command
+    ->add_option("--samples", arguments.Samples,
+      "samples a pixel, at least (multi-sampling): 1, 2, 4 or 8, as the driver has them")
+    ->check(CLI::IsMember({ 1, 2, 4, 8 }))
+    ->capture_default_str()
     ->group(view);
   command->add_option("--background", written.Background, "background: #rrggbb or a name")
     ->group(view);
@@ -179,7 +185,7 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
   list->add_flag("--json", arguments.Json, "as JSON");
 
   auto* render = app.add_subcommand("render", "draw a picture by one technique");
-  AddSceneOptions(render, written);
+  AddSceneOptions(render, written, arguments);
   render->add_option("-t,--technique", arguments.Techniques, "a name from 'translucency list'")
     ->expected(1)
     ->default_str("adaptive");
@@ -195,7 +201,7 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 
   auto* compare = app.add_subcommand(
     "compare", "draw by several techniques; pictures, differences and costs in a page");
-  AddSceneOptions(compare, written);
+  AddSceneOptions(compare, written, arguments);
   AddTechniques(compare, arguments);
   compare->add_option("--reference", arguments.Reference, "the technique that is right")
     ->capture_default_str();
@@ -211,7 +217,7 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
     "  then open frog/index.html in a browser");
 
   auto* bench = app.add_subcommand("bench", "time techniques in turn, in one process");
-  AddSceneOptions(bench, written);
+  AddSceneOptions(bench, written, arguments);
   AddTechniques(bench, arguments);
   AddFrameOptions(bench, arguments.Frames);
   bench->add_option("-o,--output", arguments.Output, "a JSON file");

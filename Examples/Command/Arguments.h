@@ -32,6 +32,7 @@ struct Arguments
   std::optional<std::string> SceneFile;
   std::optional<std::string> Title;
   std::optional<std::array<int, 2>> Size;
+  int Samples = 1;
   std::optional<Color> Background;
   std::optional<double> Azimuth;
   std::optional<double> Elevation;

@@ -41,6 +41,7 @@ Task MakeTask(const Arguments& arguments)
   }
   task.Inputs.insert(task.Inputs.end(), arguments.Inputs.begin(), arguments.Inputs.end());
   task.Setting.Size = arguments.Size.value_or(task.Setting.Size);
+  task.Setting.Samples = arguments.Samples;
   task.Setting.Background = arguments.Background.value_or(task.Setting.Background);
   task.Setting.Eye.Azimuth = arguments.Azimuth.value_or(task.Setting.Eye.Azimuth);
   task.Setting.Eye.Elevation = arguments.Elevation.value_or(task.Setting.Eye.Elevation);
@@ -136,6 +137,7 @@ Report StartReport(const Task& task, const std::vector<TechniqueChoice>& techniq
     report.Inputs.push_back(input.Source);
   }
   report.Size = task.Setting.Size;
+  report.Samples = task.Setting.Samples;
   report.Driver = stage.GetDriver();
   report.Actors = task.Setting.Parts.size();
   report.Triangles = CountTriangles(task.Setting);
@@ -181,7 +183,7 @@ void RunRender(const Arguments& arguments)
     AddSetting(technique, setting.first, setting.second);
   }
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size);
+  Stage stage(task.Setting.Size, task.Setting.Samples);
   ReadParts(task);
   OutputFiles files;
   const fs::path file = files.Add(arguments.Output);
@@ -230,7 +232,7 @@ void RunCompare(const Arguments& arguments)
     ++referenceRow;
   }
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size);
+  Stage stage(task.Setting.Size, task.Setting.Samples);
   ReadParts(task);
 
   const fs::path folder = arguments.Output;
@@ -254,7 +256,7 @@ void RunBench(const Arguments& arguments)
 {
   const auto techniques = ChooseTechniques(arguments.Techniques, { "blend" });
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size);
+  Stage stage(task.Setting.Size, task.Setting.Samples);
   ReadParts(task);
   OutputFiles files;
   const fs::path file = arguments.Output.empty() ? fs::path() : files.Add(arguments.Output);

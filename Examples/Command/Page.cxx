@@ -95,6 +95,7 @@ std::string ToPage(const Report& report, const std::map<std::string, std::string
   }
   data page;
   page.set("title", report.Title);
+  page.set("samples", std::to_string(report.Samples));
   page.set("size", std::to_string(report.Size[0]) + " x " + std::to_string(report.Size[1]));
   page.set("aspect", std::to_string(report.Size[0]) + " / " + std::to_string(report.Size[1]));
   page.set("actors", std::to_string(report.Actors));

@@ -159,8 +159,10 @@ std::string ToText(const Report& report)
   }
 
   std::ostringstream out;
-  out << report.Title << ", " << report.Size[0] << "x" << report.Size[1] << ", " << report.Actors
-      << " actors, " << Grouped(report.Triangles) << " triangles, " << report.Driver << "\n"
+  out << report.Title << ", " << report.Size[0] << "x" << report.Size[1]
+      << (report.Samples > 1 ? " of " + std::to_string(report.Samples) + " samples" : "") << ", "
+      << report.Actors << " actors, " << Grouped(report.Triangles) << " triangles, "
+      << report.Driver << "\n"
       << "times: medians of " << report.Settings.Frames << " frames after "
       << report.Settings.Warmup << ", techniques in turn\n";
   if (!report.Reference.empty())
@@ -204,6 +206,7 @@ Json ToJson(const Report& report)
   json["title"] = report.Title;
   json["inputs"] = report.Inputs;
   json["size"] = report.Size;
+  json["samples"] = report.Samples;
   json["driver"] = report.Driver;
   json["actors"] = report.Actors;
   json["triangles"] = report.Triangles;

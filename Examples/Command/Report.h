@@ -29,6 +29,7 @@ struct Report
   std::string Title;
   std::vector<std::string> Inputs;
   std::array<int, 2> Size{ { 0, 0 } };
+  int Samples = 1; ///< of a pixel
   std::string Driver;
   std::size_t Actors = 0;
   long long Triangles = 0;

@@ -61,6 +61,7 @@ struct Scene
   View Eye;
   Color Background{ { 1, 1, 1 } };
   std::array<int, 2> Size{ { 1280, 720 } };
+  int Samples = 1; ///< of a pixel
 };
 
 /// The surface with an actor of its own; throws Failure, with the name, if it has no cells or points that are not

@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderStepsPass.h"
@@ -19,6 +20,7 @@
 #include "vtkTranslucencyStatistics.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -61,10 +63,10 @@ vtkSmartPointer<vtkActor> CopyActor(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-Stage::Stage(const std::array<int, 2>& size)
+Stage::Stage(const std::array<int, 2>& size, int samples)
 {
   this->Window->SetOffScreenRendering(1);
-  this->Window->SetMultiSamples(0);
+  this->Window->SetMultiSamples(samples > 1 ? samples : 0);
   this->Window->SwapBuffersOff();
   this->Window->SetSize(16, 16);
   this->Window->Render(); // makes the context, which the limits are asked of
@@ -73,6 +75,14 @@ Stage::Stage(const std::array<int, 2>& size)
   {
     throw Failure("the render window is a " + std::string(this->Window->GetClassName()) +
       ", expected an OpenGL window");
+  }
+  // VTK takes what the driver has.
+  const int given = std::max(1, this->GetOpenGLWindow()->GetRenderFramebuffer()->GetMultiSamples());
+  if (given != samples)
+  {
+    throw Failure("samples are " + std::to_string(samples) +
+      ", but of windows with several samples a pixel this driver has only those of " +
+      std::to_string(given));
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize(this->GetOpenGLWindow());
   if (size[0] > limit || size[1] > limit)

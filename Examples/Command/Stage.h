@@ -47,8 +47,8 @@ struct StageTimes
 class Stage
 {
 public:
-  /// Opens a window; throws Failure if the driver can't draw pictures of that size.
-  explicit Stage(const std::array<int, 2>& size);
+  /// Opens a window; throws Failure if the driver can't draw pictures of that size, or not with so many samples a pixel.
+  explicit Stage(const std::array<int, 2>& size, int samples = 1);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;

@@ -10,7 +10,8 @@
  * | fragments | 16 (HalfFloat), 12 (RGBA8)   | one node: next, depth, colour                                        |
  * | counters  | 64 a cell                    | the next node of the cell of 16 x 16 pixels                          |
  *
- * A list is in the reverse order of drawing: the last drawn first.
+ * A list is in the reverse order of drawing: the last drawn first. In multi-sampled windows a fragment may join the node before it
+ * (Shaders/Common/MergeSamples.glsl).
  *
  * The paper takes all nodes from one counter. That counter is what the gather waits for: two threads alone lose more time to it
  * than to everything else. Here each cell has a counter and a range of nodes of its own, as large as what the cell held in the

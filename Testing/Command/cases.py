@@ -107,7 +107,7 @@ ROW_KEYS = {
     "resolve_milliseconds", "fragments", "deepest_pixel", "mebibytes", "tiles", "geometry_passes", "screen_passes",
     "shader_builds", "fallback"}
 DIFFERENCE_KEYS = {"rmse", "psnr", "largest_difference", "picture", "difference_picture"}
-REPORT_KEYS = {"kind", "title", "inputs", "size", "driver", "actors", "triangles", "frames", "warmup", "techniques"}
+REPORT_KEYS = {"kind", "title", "inputs", "size", "samples", "driver", "actors", "triangles", "frames", "warmup", "techniques"}
 
 
 def check_row(row):
@@ -213,6 +213,7 @@ CASES = {
     "RenderFrog": writes_picture(["render", "--scene", FROG, "--size", "160x90"], "a.png", (160, 90)),
     "RenderOpacity": options_change_picture(["ok.vtp"], ["ok.vtp", "--opacity", "0.9"]),
     "RenderColor": options_change_picture(["ok.vtp"], ["ok.vtp", "--color", "tomato"]),
+    "RenderSamples": options_change_picture(["ok.vtp"], ["ok.vtp", "--samples", "4"]),
     "RenderBackground": options_change_picture(["ok.vtp"], ["ok.vtp", "--background", "#123"]),
     "RenderAzimuth": options_change_picture(["ok.vtu"], ["ok.vtu", "--azimuth", "30"]),
     "RenderElevation": options_change_picture(["ok.vtu"], ["ok.vtu", "--elevation", "30"]),
@@ -259,6 +260,7 @@ CASES.update({
     "BadOpacityNan": fails(render("ok.vtp", "--opacity", "nan"), r"--opacity.*'nan', expected a number in 0\.\.1"),
     "BadColor": fails(render("ok.vtp", "--color", "reddish"), r"--color is 'reddish', expected #rrggbb or the name"),
     "BadBackground": fails(render("ok.vtp", "--background", "#12"), r"--background is '#12', expected #rrggbb"),
+    "BadSamples": fails(render("ok.vtp", "--samples", "3"), r"--samples: 3 not in \{1,2,4,8\}"),
     "BadSizeZero": fails(sized("0x30"), r"--size.*'0x30', expected WIDTHxHEIGHT"),
     "BadSizeNegative": fails(sized("-4x30"), r"--size.*'-4x30', expected WIDTHxHEIGHT"),
     "BadSizeWord": fails(sized("large"), r"--size.*'large', expected WIDTHxHEIGHT"),

@@ -5,6 +5,7 @@
 #include <vtkFragmentStorage.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
+#include <vtkPlaneSource.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTranslucencyCapabilities.h>
@@ -100,6 +101,47 @@ TriangleScene RandomTriangles(
   return scene;
 }
 
+/// Layers of small triangles that share their edges, in any order, with few colours and opacities: neighbours are often the same, or
+/// nearly, and often not.
+TriangleScene Mosaic(int width, int height, unsigned int seed)
+{
+  constexpr int Layers = 3;
+  constexpr int Cells = 9; // across and down
+  TriangleScene scene;
+  scene.Width = width;
+  scene.Height = height;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int layer = 0; layer < Layers; ++layer)
+  {
+    std::vector<Position> corners;
+    for (int i = 0; i <= Cells; ++i)
+    {
+      for (int j = 0; j <= Cells; ++j)
+      {
+        corners.push_back({ { (j - 0.3 + 0.6 * unit(random)) * width / Cells,
+          (i - 0.3 + 0.6 * unit(random)) * height / Cells } });
+      }
+    }
+    for (int i = 0; i < Cells * Cells; ++i)
+    {
+      const int at = i / Cells * (Cells + 1) + i % Cells;
+      const int across = at + 1;
+      const int down = at + Cells + 1;
+      for (const auto& ids :
+        { std::array<int, 3>{ { at, across, down } }, { { down, across, down + 1 } } })
+      {
+        const double red = 0.3 + (random() % 2) / 40.0 + (random() % 4 == 0 ? 0.5 : 0.0);
+        scene.Translucent.push_back(
+          { { { corners[ids[0]], corners[ids[1]], corners[ids[2]] } }, (1 + layer) / 8.0,
+            { { red, 0.5, 0.1 + 0.7 * (random() % 4 == 0) } }, random() % 4 == 0 ? 0.7 : 0.4 });
+      }
+    }
+  }
+  std::shuffle(scene.Translucent.begin(), scene.Translucent.end(), random);
+  return scene;
+}
+
 void TriangleScene::AddTo(vtkRenderer* renderer) const
 {
   AnalyticScene empty;
@@ -141,7 +183,8 @@ Picture TriangleScene::Compute(const Compositor& composite, const std::vector<Po
       for (const Position& sample : samples)
       {
         const Position p{ { x + sample[0], y + sample[1] } };
-        const auto covers = [&](const Triangle& triangle) {
+        const auto covers = [&](const Triangle& triangle)
+        {
           const Side side = SideOf(triangle, p);
           sure = sure && side != Side::OnEdge;
           return side == Side::Inside;
@@ -262,7 +305,8 @@ template <typename Pass>
 std::function<vtkSmartPointer<vtkFragmentListPass>()> New(
   const std::function<void(Pass*)>& arrange = nullptr)
 {
-  return [arrange] {
+  return [arrange]
+  {
     auto pass = vtkSmartPointer<Pass>::New();
     if (arrange)
     {
@@ -277,20 +321,28 @@ std::vector<Sampling> Samplings()
   std::vector<Sampling> samplings;
   const TriangleScene few = RandomTriangles(160, 120, 91, 4, 40, 100);
   const TriangleScene deep = RandomTriangles(160, 120, 92, 2, 500, 160);
-  const TriangleScene deepest = RandomTriangles(32, 24, 93, 1, 700, 160); // some pixels have more than 256
+  const TriangleScene deepest =
+    RandomTriangles(32, 24, 93, 1, 700, 160); // some pixels have more than 256
+  const TriangleScene mosaic = Mosaic(64, 48, 94);
   for (int samples : { 2, 4, 8 })
   {
     const std::string suffix = std::to_string(samples);
     samplings.push_back(
       { "Exact" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, few });
-    samplings.push_back({ "ExactDeep" + suffix, samples, New<vtkABufferPass>(),
-      Reference::CompositeExact, deep });
+    samplings.push_back(
+      { "ExactDeep" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, deep });
     samplings.push_back({ "ExactDeepest" + suffix, samples, New<vtkABufferPass>(),
       Reference::CompositeExact, deepest });
     samplings.push_back({ "ExactBytes" + suffix, samples,
       New<vtkABufferPass>([](vtkABufferPass* pass)
         { pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8); }),
       Reference::CompositeExact, few });
+    samplings.push_back({ "ExactMosaic" + suffix, samples, New<vtkABufferPass>(),
+      Reference::CompositeExact, mosaic });
+    samplings.push_back({ "ExactMosaicBytes" + suffix, samples,
+      New<vtkABufferPass>([](vtkABufferPass* pass)
+        { pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8); }),
+      Reference::CompositeExact, mosaic });
     samplings.push_back({ "Iterative" + suffix, samples,
       New<vtkABufferPass>(
         [](vtkABufferPass* pass) { pass->SetResolve(vtkABufferPass::Iterative); }),
@@ -332,6 +384,49 @@ TEST_F(TestMultiSamplingOf, TilesChangesNoPixel)
     EXPECT_EQ(Compare(whole, view.Render()).Largest, 0) << limit;
     EXPECT_GT(pass->GetStatistics()->GetTiles(), 1) << limit;
   }
+}
+
+//------------------------------------------------------------------------------
+// Triangles as small as pixels: their fragments share nodes, where the driver lets them.
+TEST_F(TestMultiSamplingOf, FineMeshTakesFewMoreFragmentsThanOneSample)
+{
+  const auto fragments = [](int samples, bool merges)
+  {
+    AnalyticScene scene;
+    View view(scene, samples);
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(20.3, 10.6, 0.5);
+    plane->SetPoint1(370.2, 40.1, 0.4);
+    plane->SetPoint2(60.4, 280.7, -0.3);
+    plane->SetResolution(300, 250);
+    plane->Update();
+    view.Renderer->AddActor(NewUnlitActor(plane->GetOutput(), { { 0.4, 0.5, 0.6 } }, 0.3));
+    vtkNew<vtkABufferPass> pass;
+    view.SetPass(pass);
+    const Picture drawn = view.Render();
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+    EXPECT_NEAR(drawn.At(200, 150, 1), 255 * 0.5 * 0.3, 1);
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(view.Window);
+    const bool kept = vtkTranslucencyCapabilities::Probe(window).KeepsDrawOrder;
+    return merges && !kept ? 0.0 : static_cast<double>(pass->GetStatistics()->GetFragments());
+  };
+  EXPECT_GT(fragments(1, false), 50000);
+  EXPECT_LT(fragments(4, true), 1.1 * fragments(1, false));
+}
+
+//------------------------------------------------------------------------------
+// Nothing tells the one's fragments from the other's but that they cover the same samples.
+TEST_F(TestMultiSamplingOf, CoincidentSurfacesBothCount)
+{
+  AnalyticScene scene;
+  const Rectangle rectangle{ 50, 40, 200, 150, 0.5, { { 1, 1, 1 } }, 0.4 };
+  scene.Translucent = { { rectangle }, { rectangle } };
+  View view(scene, 4);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const PictureDifference difference =
+    Compare(view.Render(), scene.Compute(Reference::CompositeExact));
+  EXPECT_LE(difference.Largest, 1) << difference;
 }
 
 //------------------------------------------------------------------------------

@@ -23,9 +23,10 @@ uint coveredSamples()
 void gatherFragment(vec4 color, float depth)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float depthExtent = fwidth(depth);
   if (inTile(pixel))
   {
-    storeFragment(pixel, Fragment(depth, packColor(color), coveredSamples()));
+    storeFragment(pixel, Fragment(depth, packColor(color), coveredSamples()), depthExtent);
   }
 }
 

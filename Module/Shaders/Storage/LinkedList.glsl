@@ -17,6 +17,7 @@
 #include "Common/Bindings.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/Frame.glsl"
+#include "Common/MergeSamples.glsl"
 #include "Common/Samples.glsl"
 #include "Storage/LinkedListLayout.glsl"
 
@@ -110,16 +111,6 @@ uint squareFragments(ivec2 pixel)
   return (held + pixels - 1u) / pixels;
 }
 
-void storeFragment(ivec2 pixel, Fragment fragment)
-{
-  uint index = atomicAdd(listCounters[counterOf(pixel)], 1u);
-  if (index < listNodeCount)
-  {
-    uint next = atomicExchange(listHeads[headIndex(pixel)], index + 1u);
-    writeNode(index, next, fragment);
-  }
-}
-
 Fragment loadNode(uint node, out uint next)
 {
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
@@ -130,6 +121,30 @@ Fragment loadNode(uint node, out uint next)
 #endif
   next = unpackNext(node, words.x);
   return Fragment(uintBitsToFloat(words.y), words.zw, unpackCoverage(words.x));
+}
+
+// depthExtent is how far the fragment's depth reaches within the pixel.
+void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
+{
+#if MERGES_SAMPLES
+  uint last = listHeads[headIndex(pixel)];
+  if (last != 0u)
+  {
+    uint next;
+    Fragment stored = loadNode(last, next);
+    if (mayMerge(stored, fragment, depthExtent))
+    {
+      writeNode(last - 1u, next, mergeFragments(stored, fragment));
+      return;
+    }
+  }
+#endif
+  uint index = atomicAdd(listCounters[counterOf(pixel)], 1u);
+  if (index < listNodeCount)
+  {
+    uint next = atomicExchange(listHeads[headIndex(pixel)], index + 1u);
+    writeNode(index, next, fragment);
+  }
 }
 
 void linkNode(uint node, uint next)
