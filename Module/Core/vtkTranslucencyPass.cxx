@@ -443,8 +443,14 @@ bool vtkTranslucencyPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
   Internals& kept = *this->Internal;
+  if (!kept.Gathering)
+  {
+    return true;
+  }
+  // vtkOpenGLImageSliceMapper turns it on and, like the mappers of points and edges, leaves it on.
+  kept.Window->GetState()->vtkglDepthMask(GL_FALSE);
   const char* sampler = "translucencyOpaqueDepth";
-  if (!kept.Gathering || !program->IsUniformUsed(sampler))
+  if (!program->IsUniformUsed(sampler))
   {
     return true;
   }

@@ -3,11 +3,14 @@
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
 
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -17,6 +20,27 @@ vtkStandardNewMacro(vtkTranslucencyFactory);
 
 namespace
 {
+// vtkRenderer lets its camera set itself up before it draws, which tells the camera whether the window is in stereo; vtkCameraPass
+// does not, and draws both eyes' pictures from the middle between them.
+class StereoCameraPass : public vtkCameraPass
+{
+public:
+  static StereoCameraPass* New();
+  vtkTypeMacro(StereoCameraPass, vtkCameraPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    vtkRenderer* renderer = state->GetRenderer();
+    if (!renderer->IsActiveCameraCreated())
+    {
+      renderer->ResetCamera();
+    }
+    renderer->GetActiveCamera()->Render(renderer);
+    this->Superclass::Render(state);
+  }
+};
+vtkStandardNewMacro(StereoCameraPass);
+
 vtkRenderPass* NewDualDepthPeeling()
 {
   auto* pass = vtkDualDepthPeelingPass::New();
@@ -114,6 +138,9 @@ vtkRenderPass* vtkTranslucencyFactory::Enable(vtkRenderer* renderer, const std::
     return nullptr;
   }
   vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<StereoCameraPass> camera;
+  camera->SetDelegatePass(steps->GetCameraPass()->GetDelegatePass());
+  steps->SetCameraPass(camera);
   steps->SetTranslucentPass(pass);
   renderer->SetPass(steps);
   return pass;

@@ -1,0 +1,179 @@
+"""Draws one kind of scene by every technique and compares it with the truth, which is VTK's dual depth peeling to its end.
+
+    run_kind.py KIND FOLDER          FOLDER/KIND.json tells the differences, and where they are too large the pictures lie beside it
+    run_kind.py --table FOLDER FILE  FILE becomes the table of all kinds in FOLDER; fails if one is missing
+    run_kind.py --check FOLDER FILE  fails if FILE, the table in the documentation, has not the rows that it should have
+
+Peeling draws nothing in multi-sampled windows. The truth with four samples is the mean of four peeled pictures, each with the camera moved
+so that one sample of each pixel lies where its centre was. Only edges are the same then: what is shaded once a pixel is shaded at
+another place, and points and lines are as wide as before. That is why the bound is wider.
+"""
+
+import json
+import pathlib
+import sys
+
+from vtkmodules import all as vtk
+
+import vtktranslucency
+from kinds import KINDS, Stage
+
+SIZE = (240, 200)
+# Where llvmpipe samples, in pixels; other drivers have other places, which moves edges by less than a quarter of a pixel.
+SAMPLE_POSITIONS = ((0.375, 0.125), (0.875, 0.375), (0.125, 0.625), (0.625, 0.875))
+COLUMNS = [(technique, samples) for technique in ("exact", "adaptive") for samples in (1, 4)]
+BOUND = {1: 3, 4: 8}  # of 255
+LEAST_SEEN = 0.02  # of the pixels have to change where translucent props are drawn
+CENTER = (0.5, 0.5)
+
+
+def draw(kind, technique, samples=1, sample_position=CENTER, translucent=True):
+    """The picture as bytes, rows of RGB. technique None is VTK's own drawing with depth peeling."""
+    window = vtk.vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(samples if samples > 1 else 0)
+    window.SetSize(SIZE)
+    stage = Stage(window)
+    camera = stage.renderer.GetActiveCamera()
+    camera.SetPosition(0.9, 0.8, 4)
+    camera.SetViewAngle(32)
+    camera.SetParallelScale(1.1)
+    stage.companions()
+    kind.build(stage)
+    for prop in stage.translucent if not translucent else []:
+        prop.VisibilityOff()
+    passes = []
+    for renderer in (window.GetRenderers().GetItemAsObject(i) for i in range(window.GetRenderers().GetNumberOfItems())):
+        if technique or stage.needs_pass:
+            passes.append(vtktranslucency.enable(renderer, technique or "vtk-peel"))
+        else:
+            renderer.UseDepthPeelingOn()
+            renderer.SetOcclusionRatio(0)
+            renderer.SetMaximumNumberOfPeels(1000)
+        stage.arrange(renderer, renderer.GetPass())
+        camera = renderer.GetActiveCamera()
+        viewport = renderer.GetViewport()
+        camera.SetWindowCenter(*(2 * (sample_position[i] - 0.5) / (SIZE[i] * stage.tiles * (viewport[i + 2] - viewport[i]))
+                                 for i in (0, 1)))
+        renderer.ResetCameraClippingRange()
+    stage.shoot()
+    for technique_pass in (p for p in passes if hasattr(p, "GetStatistics")):
+        fallback = technique_pass.GetStatistics().GetFallback()
+        assert not fallback, f"drawn by {fallback} instead of {technique}"
+    return read(window, stage.scale)
+
+
+def read(window, scale):
+    reader = vtk.vtkWindowToImageFilter()
+    reader.SetInput(window)
+    reader.SetScale(scale)
+    reader.ReadFrontBufferOff()
+    reader.SetShouldRerender(scale > 1)
+    reader.Update()
+    image = vtk.vtkImageData()
+    image.DeepCopy(reader.GetOutput())
+    return image
+
+
+def values(image):
+    return memoryview(image.GetPointData().GetScalars())
+
+
+def mean(images):
+    result = vtk.vtkImageData()
+    result.DeepCopy(images[0])
+    out = result.GetPointData().GetScalars()
+    for i, four in enumerate(zip(*(values(image).cast("B") for image in images))):
+        out.SetValue(i, (sum(four) + len(images) // 2) // len(images))
+    return result
+
+
+def compare(drawn, truth, bound):
+    """The share of pixels within the bound, and the largest difference."""
+    assert drawn.GetDimensions() == truth.GetDimensions(), f"{drawn.GetDimensions()}, expected {truth.GetDimensions()}"
+    differences = [abs(a - b) for a, b in zip(values(drawn).cast("B"), values(truth).cast("B"))]
+    pixels = [max(differences[i:i + 3]) for i in range(0, len(differences), 3)]
+    return sum(pixel <= bound for pixel in pixels) / len(pixels), max(pixels)
+
+
+def write(image, file):
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(str(file))
+    writer.SetInputData(image)
+    writer.Write()
+
+
+def run(name, folder):
+    kind = KINDS[name]
+    truths = {1: draw(kind, None), 4: mean([draw(kind, None, 1, position) for position in SAMPLE_POSITIONS])}
+    hidden, _ = compare(draw(kind, None, translucent=False), truths[1], BOUND[1])
+    assert 1 - hidden >= LEAST_SEEN, f"{name}: translucent props change {1 - hidden:.2%} of the pixels, expected {LEAST_SEEN:.0%}"
+    row = {"kind": name, "results": {}}
+    failures = []
+    for technique, samples in COLUMNS:
+        drawn = draw(kind, technique, samples)
+        share, largest = compare(drawn, truths[samples], BOUND[samples])
+        row["results"][f"{technique} {samples}"] = {"share": share, "largest": largest}
+        least = kind.share if samples == 1 else kind.share_of_samples
+        least = min(least, kind.share_of_adaptive) if technique == "adaptive" else least
+        print(f"{name}, {technique}, samples {samples}: {share:.3%} within {BOUND[samples]}, largest difference {largest}")
+        if share < least:
+            failures.append(f"{technique} with {samples} samples: {share:.3%} of the pixels are within {BOUND[samples]}/255, expected {least:.1%}")
+            write(drawn, folder / f"{name}-{technique}-{samples}.png")
+            write(truths[samples], folder / f"{name}-truth-{samples}.png")
+    (folder / f"{name}.json").write_text(json.dumps(row, indent=2) + "\n")
+    for failure in failures:
+        print(f"{name}: {failure}", file=sys.stderr)
+    return not failures
+
+
+def cell(result):
+    if result["share"] == 1:
+        return "all"
+    return f"{100 * result['share']:.2f} %, {result['largest']}"
+
+
+def table(folder):
+    lines = ["| kind | " + " | ".join(f"{technique}, {samples}" for technique, samples in COLUMNS) + " | why not all |",
+             "| --- |" + " --- |" * (len(COLUMNS) + 1)]
+    for name, kind in KINDS.items():
+        results = json.loads((folder / f"{name}.json").read_text())["results"]
+        cells = [cell(results[f"{technique} {samples}"]) for technique, samples in COLUMNS]
+        lines.append(f"| {kind.what} | " + " | ".join(cells) + f" | {kind.why} |")
+    return lines
+
+
+def check(folder, file):
+    """The figures change a little from driver to driver; the kinds and the reasons don't."""
+    def stable(line):
+        cells = line.split("|")
+        return cells[1].strip(), cells[-2].strip()
+
+    expected = [stable(line) for line in table(folder)]
+    written = [stable(line) for line in pathlib.Path(file).read_text().splitlines() if line.startswith("|")]
+    if written != expected:
+        for row in [row for row in expected if row not in written] + [row for row in written if row not in expected]:
+            print(f"{file}: the row of '{row[0]}' is not as the tests have it", file=sys.stderr)
+        sys.exit(1)
+
+
+HEAD = """# Kinds of scenes
+
+What the techniques draw, beside VTK's dual depth peeling to its end: the share of the pixels that are within 3/255 of it with one sample a pixel, and within
+8/255 of the mean of four peeled pictures with four samples, and the largest difference where that is not all of them.
+Peeling itself accumulates in 8 bits and draws one of several fragments of equal depth. With four samples, edges are the same, but what is shaded once
+a pixel is shaded at another place in each of the four pictures. Made by the tests: `Testing/SceneKinds`.
+"""
+
+if __name__ == "__main__":
+    arguments = sys.argv[1:]
+    if len(arguments) == 3 and arguments[0] == "--table":
+        pathlib.Path(arguments[2]).write_text(HEAD + "\n" + "\n".join(table(pathlib.Path(arguments[1]))) + "\n")
+    elif len(arguments) == 3 and arguments[0] == "--check":
+        check(pathlib.Path(arguments[1]), arguments[2])
+    elif len(arguments) == 2 and arguments[0] in KINDS:
+        folder = pathlib.Path(arguments[1])
+        folder.mkdir(parents=True, exist_ok=True)
+        sys.exit(0 if run(arguments[0], folder) else 1)
+    else:
+        sys.exit(__doc__)
