@@ -3,6 +3,7 @@
 #include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyInternals.h"
 #include "vtkTranslucencyOption.h"
+#include "vtkTranslucencyRenderStepsPass.h"
 #include "vtkTranslucencyShader.h"
 #include "vtkTranslucencyVTKVersion.h"
 
@@ -14,7 +15,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -264,7 +264,7 @@ void vtkTranslucencyPass::RenderAlone(const vtkRenderState* state)
   {
     vtkNew<vtkTranslucencyStep> step;
     step->Pass = this;
-    kept.Steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+    kept.Steps = vtkSmartPointer<vtkTranslucencyRenderStepsPass>::New();
     kept.Steps->SetTranslucentPass(step);
   }
   kept.Steps->Render(state);

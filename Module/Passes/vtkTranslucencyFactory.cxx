@@ -3,44 +3,20 @@
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
 
-#include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkTranslucencyRenderStepsPass.h"
 #include "vtkTranslucentPass.h"
 
 vtkStandardNewMacro(vtkTranslucencyFactory);
 
 namespace
 {
-// vtkRenderer lets its camera set itself up before it draws, which tells the camera whether the window is in stereo; vtkCameraPass
-// does not, and draws both eyes' pictures from the middle between them.
-class StereoCameraPass : public vtkCameraPass
-{
-public:
-  static StereoCameraPass* New();
-  vtkTypeMacro(StereoCameraPass, vtkCameraPass);
-
-  void Render(const vtkRenderState* state) override
-  {
-    vtkRenderer* renderer = state->GetRenderer();
-    if (!renderer->IsActiveCameraCreated())
-    {
-      renderer->ResetCamera();
-    }
-    renderer->GetActiveCamera()->Render(renderer);
-    this->Superclass::Render(state);
-  }
-};
-vtkStandardNewMacro(StereoCameraPass);
-
 vtkRenderPass* NewDualDepthPeeling()
 {
   auto* pass = vtkDualDepthPeelingPass::New();
@@ -137,10 +113,7 @@ vtkRenderPass* vtkTranslucencyFactory::Enable(vtkRenderer* renderer, const std::
   {
     return nullptr;
   }
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<StereoCameraPass> camera;
-  camera->SetDelegatePass(steps->GetCameraPass()->GetDelegatePass());
-  steps->SetCameraPass(camera);
+  vtkNew<vtkTranslucencyRenderStepsPass> steps;
   steps->SetTranslucentPass(pass);
   renderer->SetPass(steps);
   return pass;

@@ -141,7 +141,10 @@ vtkFragmentStorage::Outcome vtkLinkedListStorage::Begin(
     this->Fragments = nodes;
     return Outcome::TooLarge;
   }
-  if (!this->ReserveBuffers(nodes * this->GetNodeBytes(), capabilities))
+  // While the view moves, the next frames will want more: rather once too much than a little more in every frame.
+  const bool moving = this->Layouts[tile].FramesMoving > 0;
+  const vtkTypeInt64 room = moving ? std::min(nodes + nodes / 2, this->NodesAllowed) : nodes;
+  if (!this->ReserveBuffers(nodes * this->GetNodeBytes(), room * this->GetNodeBytes(), capabilities))
   {
     return Outcome::OutOfMemory;
   }
@@ -203,11 +206,15 @@ std::vector<vtkTypeInt64> vtkLinkedListStorage::GetRanges(const TileLayout& layo
 
 //------------------------------------------------------------------------------
 bool vtkLinkedListStorage::ReserveBuffers(
-  vtkTypeInt64 nodeBytes, const vtkTranslucencyCapabilities& capabilities)
+  vtkTypeInt64 nodeBytes, vtkTypeInt64 roomBytes, const vtkTranslucencyCapabilities& capabilities)
 {
+  if (nodeBytes <= this->Nodes.GetBytes())
+  {
+    roomBytes = nodeBytes; // there is room already
+  }
   const vtkTypeInt64 tableBytes = Pixels(this->Tile) * WordBytes;
   const vtkTypeInt64 kept = std::max(this->Table.GetBytes(), tableBytes) +
-    std::max(this->Nodes.GetBytes(), nodeBytes) +
+    std::max(this->Nodes.GetBytes(), roomBytes) +
     std::max(this->Counters.GetBytes(), CounterBytes(this->Tile)) + LayoutBytes;
   if (static_cast<double>(kept) > this->GetLimitBytes(capabilities))
   {
@@ -216,7 +223,7 @@ bool vtkLinkedListStorage::ReserveBuffers(
     this->Nodes.Release();
   }
   return this->Table.Reserve(tableBytes) && this->Counters.Reserve(CounterBytes(this->Tile)) &&
-    this->Nodes.Reserve(nodeBytes) && this->Layout.Reserve(LayoutBytes);
+    (this->Nodes.Reserve(roomBytes) || this->Nodes.Reserve(nodeBytes)) && this->Layout.Reserve(LayoutBytes);
 }
 
 //------------------------------------------------------------------------------

@@ -59,8 +59,10 @@ private:
   vtkTypeInt64 GetNodesAllowed(
     const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) const;
 
-  /// Makes the buffers large enough for the tile, and gives back what would pass the limit; false if there is no memory.
-  bool ReserveBuffers(vtkTypeInt64 nodeBytes, const vtkTranslucencyCapabilities& capabilities);
+  /// Makes the buffers large enough for the tile, and gives back what would pass the limit; false if there is no memory. Where the
+  /// nodes' buffer has to grow it grows to roomBytes, if there is memory.
+  bool ReserveBuffers(
+    vtkTypeInt64 nodeBytes, vtkTypeInt64 roomBytes, const vtkTranslucencyCapabilities& capabilities);
 
   struct TileLayout
   {
