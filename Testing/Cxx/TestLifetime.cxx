@@ -1,0 +1,181 @@
+// OpenGL objects of a pass: gone with it, or when they are released, whatever happens to its windows.
+#include "GLState.h"
+#include "RenderTest.h"
+
+#include <vtkActor.h>
+#include <vtkTranslucencyStatistics.h>
+#include <vtkTranslucencyVTKVersion.h>
+
+#include <functional>
+#include <map>
+
+namespace
+{
+/// How many there are of each kind in the window's context.
+using Objects = std::map<std::string, int>;
+
+Objects CountObjects(View& view)
+{
+  constexpr GLuint MostNames = 1024; // drivers give the lowest that is free
+  view.Window->MakeCurrent();
+  Objects objects;
+  for (GLuint name = 1; name <= MostNames; ++name)
+  {
+    objects["buffers"] += glIsBuffer(name);
+    objects["framebuffers"] += glIsFramebuffer(name);
+    objects["renderbuffers"] += glIsRenderbuffer(name);
+    objects["textures"] += glIsTexture(name);
+    objects["vertex arrays"] += glIsVertexArray(name);
+  }
+  return objects;
+}
+
+AnalyticScene Layers()
+{
+  return RandomLayers(200, 150, 81, 12, 0.1, 0.5);
+}
+
+struct Case
+{
+  std::string Name;
+  std::function<vtkSmartPointer<vtkFragmentListPass>()> New;
+  int Samples;
+};
+
+void PrintTo(const Case& value, std::ostream* os)
+{
+  *os << value.Name;
+}
+
+class TestLifetime
+  : public RenderTest
+  , public testing::WithParamInterface<Case>
+{
+protected:
+  /// A view as it is after it has drawn without the pass: what VTK itself makes is there.
+  struct Watched
+  {
+    explicit Watched(int samples)
+      : Shown(Layers(), samples)
+    {
+      AddBall(this->Shown.Renderer, true, 100, 75, -0.6); // for which the opaque depth is copied
+      this->Shown.Render();
+      this->Before = CountObjects(this->Shown);
+    }
+
+    void ExpectNoneLeft(const std::string& when)
+    {
+      EXPECT_EQ(CountObjects(this->Shown), this->Before) << when;
+      EXPECT_TRUE(TakeGLErrors().empty()) << when;
+    }
+
+    View Shown;
+    Objects Before;
+  };
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestLifetime, ReleasesAllThatItMade)
+{
+  Watched watched(GetParam().Samples);
+  View& view = watched.Shown;
+  auto pass = GetParam().New();
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  EXPECT_GT(CountObjects(view).at("buffers"), watched.Before.at("buffers"));
+  pass->ReleaseGraphicsResources(view.Window);
+  watched.ExpectNoneLeft("after ReleaseGraphicsResources");
+  EXPECT_EQ(Compare(view.Render(), drawn).Largest, 0);
+  view.SetPass(nullptr);
+  view.Render(); // VTK's mappers keep a pass alive until they draw without it
+  EXPECT_EQ(pass->GetReferenceCount(), 1);
+  pass = nullptr;
+  watched.ExpectNoneLeft("after its end");
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestLifetime, FramesMakeNothingAnew)
+{
+  Watched watched(GetParam().Samples);
+  View& view = watched.Shown;
+  view.SetPass(GetParam().New());
+  view.Render();
+  const Objects first = CountObjects(view);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    view.Render();
+  }
+  EXPECT_EQ(CountObjects(view), first);
+  EXPECT_TRUE(TakeGLErrors().empty());
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestLifetime, SharedByTwoWindowsLeavesNothingInEither)
+{
+  Watched first(GetParam().Samples);
+  Watched second(GetParam().Samples);
+  auto pass = GetParam().New();
+  first.Shown.SetPass(pass);
+  second.Shown.SetPass(pass);
+  const Picture drawn = first.Shown.Render();
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    EXPECT_EQ(Compare(second.Shown.Render(), drawn).Largest, 0);
+    EXPECT_EQ(Compare(first.Shown.Render(), drawn).Largest, 0);
+  }
+  first.Shown.SetPass(nullptr);
+  second.Shown.SetPass(nullptr);
+  first.Shown.Render();
+  second.Shown.Render();
+  EXPECT_EQ(pass->GetReferenceCount(), 1);
+  pass = nullptr;
+  first.ExpectNoneLeft("in the first window");
+  second.ExpectNoneLeft("in the second window");
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestLifetime, WindowIsClosedAndReopened)
+{
+  Watched watched(GetParam().Samples);
+  View& view = watched.Shown;
+  const auto pass = GetParam().New();
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  const Objects open = CountObjects(view);
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    view.Window->Finalize();
+    EXPECT_EQ(Compare(view.Render(), drawn).Largest, 0);
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+  }
+  EXPECT_LE(CountObjects(view).at("buffers"), open.at("buffers"));
+  EXPECT_LE(CountObjects(view).at("textures"), open.at("textures"));
+  EXPECT_TRUE(TakeGLErrors().empty());
+}
+
+namespace
+{
+std::vector<Case> Cases()
+{
+  std::vector<Case> cases;
+  for (int samples : { 0, 4 })
+  {
+    const std::string suffix = samples > 0 ? "MultiSampled" : "";
+    cases.push_back({ "Exact" + suffix,
+      [] { return vtkSmartPointer<vtkFragmentListPass>(vtkSmartPointer<vtkABufferPass>::New()); },
+      samples });
+    cases.push_back({ "Adaptive" + suffix,
+      []
+      {
+        return vtkSmartPointer<vtkFragmentListPass>(
+          vtkSmartPointer<vtkAdaptiveTransparencyPass>::New());
+      },
+      samples });
+  }
+  return cases;
+}
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, TestLifetime, testing::ValuesIn(Cases()),
+  [](const auto& info) { return info.param.Name; });
