@@ -4,6 +4,7 @@
 #include <vtkActor.h>
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
+#include <vtkFragmentStorage.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty.h>
@@ -64,6 +65,21 @@ TEST_F(TestFrame, BuildsNoShaderAfterTheFirstOfAStaticScene)
   pass->SetNodeCount(8);
   view.Render();
   EXPECT_EQ(pass->GetStatistics()->GetShaderBuilds(), 0) << "nodes are not the mappers' matter";
+}
+
+//------------------------------------------------------------------------------
+// What the mappers store changes with it: their shaders have to be made anew.
+TEST_F(TestFrame, FollowsTheColorFormat)
+{
+  View view(SomeLayers());
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8);
+  EXPECT_LE(Compare(view.Render(), drawn).Largest, 3) << "bytes";
+  EXPECT_GT(pass->GetStatistics()->GetShaderBuilds(), 0);
+  pass->GetStorage()->SetColorFormat(vtkFragmentStorage::HalfFloat);
+  EXPECT_EQ(Compare(view.Render(), drawn).Largest, 0) << "half floats again";
 }
 
 //------------------------------------------------------------------------------
