@@ -6,11 +6,14 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
 namespace
 {
+constexpr vtkTypeInt64 BlockBytesOfLlvmpipe = vtkTypeInt64(1) << 31;
+
 std::set<std::string> Extensions()
 {
   GLint count = 0;
@@ -29,6 +32,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
 {
   vtkTranslucencyCapabilities result;
   result.Renderer = window->GetState()->GetRenderer();
+
+  const bool llvmpipe = result.Renderer.find("llvmpipe") != std::string::npos;
 
   const std::set<std::string> extensions = Extensions();
   const auto missing = [&extensions](const std::vector<std::string>& needed) {
@@ -51,7 +56,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   {
     GLint64 bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-    result.MaximumBlockBytes = bytes;
+    result.MaximumBlockBytes = llvmpipe ? std::max<vtkTypeInt64>(bytes, BlockBytesOfLlvmpipe) : bytes;
 
     GLint blocks = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
@@ -70,8 +75,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
       " pixels (its largest have " + std::to_string(points[1]) + ")";
   }
 
-  result.KeepsDrawOrder = result.Renderer.find("llvmpipe") != std::string::npos ||
-    result.Renderer.find("softpipe") != std::string::npos;
+  result.KeepsDrawOrder = llvmpipe || result.Renderer.find("softpipe") != std::string::npos;
 
   GLint kib[4] = { 0, 0, 0, 0 };
   if (extensions.count("GL_NVX_gpu_memory_info"))

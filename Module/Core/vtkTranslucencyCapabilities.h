@@ -24,7 +24,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// rasterizers bin primitives into tiles and shade each tile in order by one thread; GPUs do not promise it.
   bool KeepsDrawOrder = false;
 
-  /// The largest storage block that a shader may see (GL_MAX_SHADER_STORAGE_BLOCK_SIZE), in bytes.
+  /// The largest storage block that a shader may see, in bytes: GL_MAX_SHADER_STORAGE_BLOCK_SIZE. llvmpipe says 128 MiB there, but
+  /// tests addresses against the buffer that is bound, of up to 2 GiB (tried with Mesa 22.3): a picture of 32 million fragments
+  /// is drawn once instead of in five tiles. TestMemoryLimit.BlocksAreAsLargeAsTheDriverCanAddress fails where that isn't so.
   vtkTypeInt64 MaximumBlockBytes = 0;
 
   /// Graphics memory as the driver reports it (NVX_gpu_memory_info, ATI_meminfo), in MiB; 0 if it does not.

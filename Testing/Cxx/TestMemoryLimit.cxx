@@ -96,6 +96,22 @@ TEST_F(TestMemoryLimitChange, TakesEffectInTheNextFrame)
 }
 
 //------------------------------------------------------------------------------
+// More than the 128 MiB that llvmpipe advertises; the same in tiles that fit into them.
+TEST_F(TestMemoryLimitChange, BlocksAreAsLargeAsTheDriverCanAddress)
+{
+  const AnalyticScene scene = RandomLayers(800, 600, 13, 40, 0.02, 0.3);
+  View view(scene);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const Picture whole = view.Render();
+  EXPECT_GT(pass->GetStorage()->GetBytes(), 200 * MiB);
+  EXPECT_EQ(pass->GetStatistics()->GetTiles(), 1);
+  pass->GetStorage()->SetMemoryLimit(120);
+  EXPECT_EQ(Compare(whole, view.Render()).Largest, 0);
+  EXPECT_GT(pass->GetStatistics()->GetTiles(), 1);
+}
+
+//------------------------------------------------------------------------------
 // Impostors are tested against a copy of the opaque depth: it must be there each time that the geometry is drawn.
 TEST_F(TestMemoryLimitChange, ImpostorsAreHiddenInEveryTile)
 {
