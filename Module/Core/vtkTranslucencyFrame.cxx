@@ -230,8 +230,14 @@ bool vtkTranslucencyFrame::PrepareGather()
   {
     return this->Fail(shader.GetError());
   }
+  vtkTranslucencyShader volumes; // compiled with the ray caster only: it declares what that one has
+  if (!volumes.Assemble("Common/GatherVolume.glsl", {}, this->GetOfferedDefines(), this->Storage->GetShaderName()))
+  {
+    return this->Fail(volumes.GetError());
+  }
   kept.GatherKey = key;
   kept.GatherText = shader.GetText();
+  kept.Volumes.SetGatherText(volumes.GetText());
   kept.GatherTextTime.Modified();
   return true;
 }
@@ -249,10 +255,8 @@ void vtkTranslucencyFrame::UseWholeViewportIfItFits()
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyFrame::DrawGeometry()
+void vtkTranslucencyFrame::PrepareDrawing()
 {
-  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
@@ -260,7 +264,14 @@ void vtkTranslucencyFrame::DrawGeometry()
   state->vtkglDisable(GL_BLEND);
   // Without, there is one fragment a pixel and primitive, if the primitive covers the pixel's centre.
   state->SetEnumState(GL_MULTISAMPLE, this->Samples > 1);
+}
 
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::DrawGeometry()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
+  this->PrepareDrawing();
   if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
   {
     kept.OpaqueDepth->Activate();
@@ -275,6 +286,36 @@ void vtkTranslucencyFrame::DrawGeometry()
     kept.OpaqueDepth->Deactivate();
   }
   kept.Statistics->SetGeometryPasses(kept.Statistics->GetGeometryPasses() + 1);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::DrawVolumes()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  if (!this->SortLists({}))
+  {
+    return false;
+  }
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
+  this->PrepareDrawing();
+  // Ray casters copy the opaque depth to the corner of a texture, which the scissor test would cut; the shader knows the tile.
+  this->Window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+  for (vtkProp* prop : kept.Volumes.GetProps())
+  {
+    std::vector<vtkProp*> props{ prop };
+    vtkRenderState one(this->State->GetRenderer());
+    vtkTranslucencySetProps(one, props);
+    one.SetFrameBuffer(this->State->GetFrameBuffer());
+    one.SetRequiredKeys(this->State->GetRequiredKeys());
+    this->Pass->PreRender(&one);
+    kept.Gathering = true;
+    kept.Volumes.Gather(&one);
+    kept.Gathering = false;
+    this->Pass->PostRender(&one);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // the next one changes the same lists
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -297,11 +338,19 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
       this->UseTile();
       kept.GatherError.clear();
       this->DrawGeometry();
+      outcome = storage->End();
+      if (outcome == Outcome::Complete && !kept.Volumes.GetProps().empty()) // they go through whole lists only
+      {
+        if (!this->DrawVolumes())
+        {
+          return false;
+        }
+        outcome = storage->End();
+      }
       if (!kept.GatherError.empty())
       {
         return this->Fail(kept.GatherError);
       }
-      outcome = storage->End();
     }
     switch (outcome)
     {
@@ -426,6 +475,18 @@ bool vtkTranslucencyFrame::Resolve(
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::SortLists(const Squares& squares)
+{
+  bool drawn = this->Resolve("Common/SortRuns.glsl", {}, squares);
+  const vtkTypeInt64 deepest = drawn ? this->GetDeepestPixel() : 0;
+  for (int length = 32; length < deepest && drawn; length *= 2)
+  {
+    drawn = this->Resolve("Common/MergeRuns.glsl", {}, squares, { { "runLength", length } });
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

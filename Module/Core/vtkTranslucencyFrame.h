@@ -77,6 +77,9 @@ public:
   bool Resolve(const std::string& file, const Defines& defines, const Squares& squares,
     const Uniforms& uniforms = {});
 
+  /// Puts the pixels' lists of fragments into front-to-back order, where they lie.
+  bool SortLists(const Squares& squares);
+
   /// Whether pixels of this tile were left to a level. Waits for the resolves so far.
   bool IsLeftTo(int level);
 
@@ -103,7 +106,9 @@ private:
   void UseWholeViewportIfItFits();
   void UseTile();
   void CutTile(int parts);
+  void PrepareDrawing();
   void DrawGeometry();
+  bool DrawVolumes();
   bool PrepareGather();
   vtkShaderProgram* PrepareResolve(const std::string& file, const Defines& defines);
 

@@ -9,11 +9,13 @@
 #include "vtkTranslucencyFrame.h"
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyStatistics.h"
+#include "vtkTranslucencyVolumes.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkOpenGLRenderWindow.h" // for the weak pointer
 #include "vtkTimeStamp.h"
+#include "vtkVolumetricPass.h"
 #include "vtkWeakPointer.h"
 
 #include <map>
@@ -44,6 +46,8 @@ struct vtkTranslucencyPass::Internals
   vtkTimeStamp GatherTextTime;
   bool Gathering = false;
   std::string GatherError; // of a mapper whose shader has no place for the call
+
+  vtkTranslucencyVolumes Volumes;
 
   // The opaque depth, captured only if a shader asks for it.
   vtkSmartPointer<vtkTextureObject> OpaqueDepth;
@@ -81,10 +85,12 @@ struct vtkTranslucencyPass::Internals
 
   // Alone, the pass draws by these steps, of which it is one.
   vtkSmartPointer<vtkRenderStepsPass> Steps;
+  vtkNew<vtkVolumetricPass> VolumesAlone;
 
   vtkSmartPointer<vtkDualDepthPeelingPass> Peeling;
   std::string Warned; // the reason for a fallback that was last warned of
-  std::string MissingForSamples; // the same for drawing with one sample
+  std::string MissingForSamples; // the same for drawing with one sample,
+  std::string UndividedVolumes; // and for volumes that are drawn over the surfaces
 };
 
 #endif

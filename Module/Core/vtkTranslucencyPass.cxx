@@ -24,6 +24,7 @@
 #include <regex>
 
 vtkCxxSetObjectMacro(vtkTranslucencyPass, TranslucentPass, vtkRenderPass);
+vtkCxxSetObjectMacro(vtkTranslucencyPass, VolumetricPass, vtkRenderPass);
 
 namespace
 {
@@ -57,7 +58,8 @@ public:
 
   void Render(const vtkRenderState* state) override
   {
-    this->Pass->RenderTranslucent(state);
+    vtkRenderPass* volumes = this->Pass->VolumetricPass;
+    this->Pass->RenderTranslucent(state, volumes ? volumes : this->Pass->Internal->VolumesAlone);
     this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
   }
 
@@ -77,6 +79,7 @@ vtkTranslucencyPass::~vtkTranslucencyPass()
 {
   this->ReleaseGraphicsResources(nullptr);
   this->SetTranslucentPass(nullptr);
+  this->SetVolumetricPass(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +91,11 @@ void vtkTranslucencyPass::PrintSelf(ostream& os, vtkIndent indent)
   if (this->TranslucentPass)
   {
     this->TranslucentPass->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "VolumetricPass:" << (this->VolumetricPass ? "\n" : " (none)\n");
+  if (this->VolumetricPass)
+  {
+    this->VolumetricPass->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "Statistics:\n";
   this->Internal->Statistics->PrintSelf(os, indent.GetNextIndent());
@@ -109,6 +117,10 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
   if (this->TranslucentPass && window)
   {
     this->TranslucentPass->ReleaseGraphicsResources(window);
+  }
+  if (this->VolumetricPass && window)
+  {
+    this->VolumetricPass->ReleaseGraphicsResources(window);
   }
   if (alive)
   {
@@ -266,6 +278,7 @@ void vtkTranslucencyPass::RenderAlone(const vtkRenderState* state)
     step->Pass = this;
     kept.Steps = vtkSmartPointer<vtkTranslucencyRenderStepsPass>::New();
     kept.Steps->SetTranslucentPass(step);
+    kept.Steps->SetVolumetricPass(nullptr);
   }
   kept.Steps->Render(state);
   this->NumberOfRenderedProps = kept.Steps->GetNumberOfRenderedProps();
@@ -281,12 +294,12 @@ void vtkTranslucencyPass::Render(const vtkRenderState* state)
   }
   else
   {
-    this->RenderTranslucent(state);
+    this->RenderTranslucent(state, this->VolumetricPass);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state)
+void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass)
 {
   Internals& kept = *this->Internal;
   vtkRenderer* renderer = state->GetRenderer();
@@ -298,24 +311,35 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state)
     vtkErrorMacro(<< (window ? "TranslucentPass is null" : "an OpenGL render window is needed"));
     return;
   }
-  if (!HasTranslucentGeometry(state))
+  const bool surfaces = HasTranslucentGeometry(state);
+  if (surfaces && !renderer->GetSelector())
   {
+    const std::string driver = this->GetCapabilities(window).Renderer;
+    const std::string missing = this->GetMissing(window);
+    if (!missing.empty())
+    {
+      this->RenderFallback(state, volumetricPass, "the driver (" + driver + ") lacks " + missing, true);
+      return;
+    }
+    kept.Volumes.Find(state, volumetricPass);
+    this->RenderGathered(state, window);
     return;
   }
-  if (renderer->GetSelector())
+  // Nothing to put into order: there are only volumes, or it is ids that are drawn, which are not blended.
+  for (vtkRenderPass* pass : { surfaces ? this->TranslucentPass : nullptr, volumetricPass })
   {
-    this->TranslucentPass->Render(state); // ids are not blended
-    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
-    return;
+    if (pass)
+    {
+      pass->Render(state);
+      this->NumberOfRenderedProps += pass->GetNumberOfRenderedProps();
+    }
   }
-  const std::string driver = this->GetCapabilities(window).Renderer;
-  const std::string missing = this->GetMissing(window);
-  if (!missing.empty())
-  {
-    this->RenderFallback(state, "the driver (" + driver + ") lacks " + missing, true);
-    return;
-  }
+}
 
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
+{
+  Internals& kept = *this->Internal;
   std::string error;
   bool whole = true; // nothing has been composited yet
   {
@@ -345,25 +369,34 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state)
   kept.Statistics->SetGatherTime(kept.GatherTime);
   kept.Statistics->SetResolveTime(kept.ResolveTime);
   kept.Statistics->SetDeepestPixel(kept.GetResolveStatistics().DeepestPixel);
-  this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+  this->NumberOfRenderedProps =
+    this->TranslucentPass->GetNumberOfRenderedProps() + static_cast<int>(kept.Volumes.GetProps().size());
   if (kept.GetResolveStatistics().Unfinished)
   {
     vtkErrorMacro(<< "a pixel has more fragments than the driver's loops can take; it is drawn incompletely");
   }
   if (!error.empty() && whole)
   {
-    this->RenderFallback(state, error, false);
+    this->RenderFallback(state, kept.Volumes.GetPass(), error, false);
+    return;
   }
-  else if (!error.empty())
+  if (!error.empty())
   {
     vtkErrorMacro(<< error << "; part of the picture is drawn by blending");
     kept.Statistics->SetFallback("blending");
   }
+  const std::string undivided = kept.Volumes.DrawUndivided(state);
+  if (!undivided.empty() && undivided != kept.UndividedVolumes)
+  {
+    vtkWarningMacro(<< "volumes of " << undivided << " are drawn over the translucent surfaces: expected those of "
+                       "vtkGPUVolumeRayCastMapper with an ImageSampleDistance of 1, not within assemblies");
+  }
+  kept.UndividedVolumes = undivided;
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyPass::RenderFallback(
-  const vtkRenderState* state, const std::string& reason, bool lacking)
+void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass,
+  const std::string& reason, bool lacking)
 {
   Internals& kept = *this->Internal;
   const vtkTranslucencyGLState found(kept.Window, kept.Capabilities.MissingForStorage.empty());
@@ -393,10 +426,29 @@ void vtkTranslucencyPass::RenderFallback(
       kept.Peeling->SetOcclusionRatio(0);
     }
     kept.Peeling->SetTranslucentPass(this->TranslucentPass);
+    kept.Peeling->SetVolumetricPass(volumetricPass);
     drawing = kept.Peeling;
   }
   drawing->Render(state);
   this->NumberOfRenderedProps = drawing->GetNumberOfRenderedProps();
+  if (!peel && volumetricPass)
+  {
+    volumetricPass->Render(state);
+    this->NumberOfRenderedProps += volumetricPass->GetNumberOfRenderedProps();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::PreReplaceShaderValues(std::string&, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  Internals& kept = *this->Internal;
+  if (!kept.Gathering || !vtkTranslucencyVolumes::IsRayCaster(mapper))
+  {
+    return true;
+  }
+  kept.Statistics->SetShaderBuilds(kept.Statistics->GetShaderBuilds() + 1);
+  return kept.Volumes.PreReplaceShaderValues(fragmentShader, mapper->GetClassName(), kept.GatherError);
 }
 
 //------------------------------------------------------------------------------
@@ -407,6 +459,10 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
   if (!kept.Gathering)
   {
     return true;
+  }
+  if (vtkTranslucencyVolumes::IsRayCaster(mapper))
+  {
+    return kept.Volumes.PostReplaceShaderValues(fragmentShader, mapper->GetClassName(), kept.GatherError);
   }
   kept.Statistics->SetShaderBuilds(kept.Statistics->GetShaderBuilds() + 1);
 
@@ -440,11 +496,16 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
   Internals& kept = *this->Internal;
   if (!kept.Gathering)
   {
+    return true;
+  }
+  if (vtkTranslucencyVolumes::IsRayCaster(mapper))
+  {
+    kept.Volumes.SetShaderParameters(program);
     return true;
   }
   // vtkOpenGLImageSliceMapper turns it on and, like the mappers of points and edges, leaves it on.

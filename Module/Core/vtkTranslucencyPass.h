@@ -61,6 +61,17 @@ public:
 
   ///@{
   /**
+   * The pass that draws volumes among the translucent props, each where it lies: a vtkVolumetricPass, or null (the default) where
+   * something else draws them, as vtkRenderStepsPass does after its translucent pass. Where this pass draws alone it draws
+   * volumes in any case. Volumes that can't be divided at surfaces are drawn over them, after a warning that names them: all but
+   * those of vtkGPUVolumeRayCastMapper (and the mappers that use it) with an ImageSampleDistance of 1.
+   */
+  void SetVolumetricPass(vtkRenderPass* pass);
+  vtkGetObjectMacro(VolumetricPass, vtkRenderPass);
+  ///@}
+
+  ///@{
+  /**
    * Whether the stages are timed. Off by default: it waits for the GPU at each stage's end.
    */
   vtkSetMacro(MeasureTimes, bool);
@@ -98,6 +109,8 @@ public:
   virtual std::string GetMissing(vtkOpenGLRenderWindow* window);
 
   // vtkOpenGLRenderPass
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
@@ -126,6 +139,7 @@ protected:
   virtual void ReleaseTechniqueResources(bool vtkNotUsed(contextAlive)) {}
 
   vtkRenderPass* TranslucentPass = nullptr;
+  vtkRenderPass* VolumetricPass = nullptr;
   bool MeasureTimes = false;
 
 private:
@@ -133,9 +147,10 @@ private:
   void operator=(const vtkTranslucencyPass&) = delete;
 
   void RenderAlone(const vtkRenderState* state);
-  void RenderTranslucent(const vtkRenderState* state);
+  void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass);
+  void RenderGathered(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
   // Says why, once: a warning if the driver lacks something, an error if something went wrong.
-  void RenderFallback(const vtkRenderState* state, const std::string& reason, bool lacking);
+  void RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);
 
   friend class vtkTranslucencyFrame;
   friend class vtkTranslucencyStep;

@@ -13,6 +13,8 @@
 
 #include "vtkRenderState.h"
 
+#include <vector>
+
 class vtkProp;
 
 /// The number of props of a render state.
@@ -25,6 +27,12 @@ inline int vtkTranslucencyPropCount(const vtkRenderState* state)
 inline vtkProp* vtkTranslucencyProp(const vtkRenderState* state, int index)
 {
   return state->GetPropArray()[index];
+}
+
+/// Makes a render state hold these props, which have to outlive it.
+inline void vtkTranslucencySetProps(vtkRenderState& state, std::vector<vtkProp*>& props)
+{
+  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
 }
 
 // VTK_VERSION_CHECK and the factory macros of VTK 9.1 lack what later releases define.

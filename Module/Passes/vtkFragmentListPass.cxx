@@ -175,17 +175,5 @@ bool vtkFragmentListPass::ResolveLeftLists(vtkTranslucencyFrame& frame)
     return true;
   }
   const Squares left = Squares::LeftTo(Long);
-  if (!frame.Resolve("ABuffer/SortRuns.glsl", {}, left))
-  {
-    return false;
-  }
-  const vtkTypeInt64 deepest = frame.GetDeepestPixel();
-  for (int length = 32; length < deepest; length *= 2)
-  {
-    if (!frame.Resolve("ABuffer/MergeRuns.glsl", {}, left, { { "runLength", length } }))
-    {
-      return false;
-    }
-  }
-  return frame.Resolve("ABuffer/ResolveSorted.glsl", {}, left);
+  return frame.SortLists(left) && frame.Resolve("ABuffer/ResolveSorted.glsl", {}, left);
 }

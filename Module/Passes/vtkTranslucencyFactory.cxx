@@ -115,6 +115,11 @@ vtkRenderPass* vtkTranslucencyFactory::Enable(vtkRenderer* renderer, const std::
   }
   vtkNew<vtkTranslucencyRenderStepsPass> steps;
   steps->SetTranslucentPass(pass);
+  if (auto* own = vtkTranslucencyPass::SafeDownCast(pass))
+  {
+    own->SetVolumetricPass(steps->GetVolumetricPass());
+    steps->SetVolumetricPass(nullptr);
+  }
   renderer->SetPass(steps);
   return pass;
 }

@@ -82,7 +82,7 @@ public:
   /// Makes ready for a tile: OutOfMemory or Complete.
   virtual Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) = 0;
 
-  /// After the geometry of the tile was drawn.
+  /// After the geometry of the tile was drawn, and again after volumes were.
   virtual Outcome End() = 0;
 
   /// After TooLarge: how many parts of this tile would fit, if fragments were spread evenly; at least 2.

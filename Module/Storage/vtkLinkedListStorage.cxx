@@ -155,6 +155,7 @@ vtkFragmentStorage::Outcome vtkLinkedListStorage::Begin(
     counters[cell * LIST_COUNTER_STRIDE] = static_cast<unsigned int>(first);
     counters[cell * LIST_COUNTER_STRIDE + 1] = static_cast<unsigned int>(first);
     first += this->Ranges[cell];
+    counters[cell * LIST_COUNTER_STRIDE + 2] = static_cast<unsigned int>(first);
   }
   const TileLayout& layout = this->Layouts[tile];
   const std::array<unsigned int, 4> words{ { static_cast<unsigned int>(layout.CellShift),

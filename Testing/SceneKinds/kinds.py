@@ -535,6 +535,154 @@ def hidden_line_removal(stage):
     stage.arrange = arrange
 
 
+TWICE = "peeling casts the ray of each part anew and takes the samples at both of its ends twice"
+
+
+def volume(mapper, center=(0, 0, 0)):
+    source = vtk.vtkRTAnalyticSource()
+    source.SetWholeExtent(-16, 16, -16, 16, -16, 16)
+    information = vtk.vtkImageChangeInformation()
+    information.SetInputConnection(source.GetOutputPort())
+    information.SetOutputSpacing(0.05, 0.05, 0.05)
+    information.SetOutputOrigin(*center)
+    mapper.SetInputConnection(information.GetOutputPort())
+    opacity = vtk.vtkPiecewiseFunction()
+    for value, alpha in ((60, 0), (130, 0.01), (200, 0.12), (280, 0.5)):
+        opacity.AddPoint(value, alpha)
+    colors = vtk.vtkColorTransferFunction()
+    for value, rgb in ((60, (0.2, 0.3, 1)), (160, (0.9, 0.9, 0.5)), (280, (1, 0.3, 0.2))):
+        colors.AddRGBPoint(value, *rgb)
+    prop = vtk.vtkVolume()
+    prop.SetMapper(mapper)
+    prop.GetProperty().SetScalarOpacity(opacity)
+    prop.GetProperty().SetColor(colors)
+    prop.GetProperty().SetScalarOpacityUnitDistance(0.05)
+    prop.GetProperty().SetInterpolationTypeToLinear()
+    return prop
+
+
+def ray_caster(**settings):
+    mapper = vtk.vtkGPUVolumeRayCastMapper()
+    mapper.AutoAdjustSampleDistancesOff()
+    mapper.SetSampleDistance(0.02)
+    for name, value in settings.items():
+        getattr(mapper, "Set" + name)(value)
+    return mapper
+
+
+def planes(stage):
+    for z, rgb in ((1, (0.3, 0.9, 0.4)), (-0.2, (0.9, 0.3, 0.9)), (-1.1, (0.9, 0.9, 0.2))):
+        plane = surface(vtk.vtkPlaneSource(), Center=(-0.3 + 0.3 * z, 0.1, z))
+        look(plane, rgb, 0.5)
+        stage.add(plane)
+
+
+@kind("volume, and surfaces in front of it, inside of it and behind it")
+def volume_first(stage):
+    stage.add(volume(ray_caster()))
+    planes(stage)
+
+
+@kind("the same, added in another order")
+def volume_last(stage):
+    planes(stage)
+    stage.add(volume(ray_caster()))
+
+
+@kind("volume by vtkSmartVolumeMapper, shaded")
+def volume_smart(stage):
+    prop = stage.add(volume(vtk.vtkSmartVolumeMapper()))
+    prop.GetProperty().ShadeOn()
+    planes(stage)
+
+
+@kind("volume by vtkMultiBlockVolumeMapper")
+def volume_multi_block(stage):
+    source = configured(vtk.vtkRTAnalyticSource())
+    information = vtk.vtkImageChangeInformation()
+    information.SetInputConnection(source.GetOutputPort())
+    information.SetOutputSpacing(0.07, 0.07, 0.07)
+    information.Update()
+    blocks = vtk.vtkMultiBlockDataSet()
+    blocks.SetBlock(0, information.GetOutput())
+    mapper = vtk.vtkMultiBlockVolumeMapper()
+    prop = stage.add(volume(mapper))
+    mapper.SetInputDataObject(blocks)
+    stage.keep.append(source)
+    planes(stage)
+
+
+@kind("volume cut by clipping planes", share=0.99, why=TWICE)
+def volume_clipped(stage):
+    mapper = ray_caster()
+    for normal in ((0.6, 0.2, -0.8), (-1, 0.3, 0)):
+        plane = vtk.vtkPlane()
+        plane.SetOrigin(0.3, 0, 0.2)
+        plane.SetNormal(*normal)
+        mapper.AddClippingPlane(plane)
+    stage.add(volume(mapper))
+    planes(stage)
+
+
+@kind("volume, cropped")
+def volume_cropped(stage):
+    stage.add(volume(ray_caster(Cropping=True, CroppingRegionPlanes=(-0.4, 0.3, -0.5, 0.4, -0.6, 0.2))))
+    planes(stage)
+
+
+@kind("volume, scaled and turned", share=0.99, why=TWICE)
+def volume_transformed(stage):
+    prop = stage.add(volume(ray_caster()))
+    prop.SetScale(1.2, 0.7, 0.9)
+    prop.RotateX(30)
+    prop.RotateZ(-50)
+    planes(stage)
+
+
+@kind("volume with the camera inside of it", share=0.99, why=TWICE)
+def volume_around_camera(stage):
+    prop = stage.add(volume(ray_caster()))
+    prop.SetScale(6)
+    planes(stage)
+
+
+@kind("volume in parallel projection", share=0.99, why=TWICE)
+def volume_parallel(stage):
+    stage.renderer.GetActiveCamera().ParallelProjectionOn()
+    stage.add(volume(ray_caster()))
+    planes(stage)
+
+
+@kind("volume, maximum intensity", share=0.99, why=TWICE)
+def volume_maximum(stage):
+    stage.add(volume(ray_caster(BlendMode=vtk.vtkVolumeMapper.MAXIMUM_INTENSITY_BLEND)))
+    planes(stage)
+
+
+@kind("volume, isosurfaces", share=0.99, why=TWICE)
+def volume_isosurfaces(stage):
+    prop = stage.add(volume(ray_caster(BlendMode=vtk.vtkVolumeMapper.ISOSURFACE_BLEND)))
+    prop.GetProperty().GetIsoSurfaceValues().GenerateValues(3, 120, 240)
+    prop.GetProperty().ShadeOn()
+    planes(stage)
+
+
+@kind("volume, a slice of it", share=0.8, share_of_samples=0.85, why="peeling draws the slice in each part of a ray, not only in the one that meets it")
+def volume_slice(stage):
+    prop = stage.add(volume(ray_caster(BlendMode=vtk.vtkVolumeMapper.SLICE_BLEND)))
+    plane = vtk.vtkPlane()
+    plane.SetNormal(0.4, 0.3, 0.9)
+    prop.GetProperty().SetSliceFunction(plane)
+    planes(stage)
+
+
+@kind("two volumes, one behind the other")
+def volumes(stage):
+    stage.add(volume(ray_caster(), (0.1, 0, 0.2))).SetScale(0.5)
+    stage.add(volume(ray_caster(), (-0.5, 0.2, -2))).SetScale(0.6)
+    planes(stage)
+
+
 @kind("image slice (vtkImageSlice)")
 def image_slice(stage):
     made = vtk.vtkImageSlice()

@@ -48,6 +48,7 @@ def draw(kind, technique, samples=1, sample_position=CENTER, translucent=True):
             passes.append(vtktranslucency.enable(renderer, technique or "vtk-peel"))
         else:
             renderer.UseDepthPeelingOn()
+            renderer.UseDepthPeelingForVolumesOn()
             renderer.SetOcclusionRatio(0)
             renderer.SetMaximumNumberOfPeels(1000)
         stage.arrange(renderer, renderer.GetPass())

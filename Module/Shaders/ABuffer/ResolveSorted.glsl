@@ -24,7 +24,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     }
   }
   recordUnfinished(cursor);
-  finishPixel(pixel, 0u); // SortRuns.glsl has counted them
+  finishPixel(pixel, 0u); // Common/SortRuns.glsl has counted them
   return holdsFragments;
 }
 

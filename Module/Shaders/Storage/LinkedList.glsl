@@ -10,8 +10,8 @@
 // With several samples a pixel, a link is the distance to the next node in 24 bits (0: none), so that the coverage finds room beside
 // it, and the upper bits of a head count the samples that are resolved.
 //
-// Needs: COLOR_FORMAT, SAMPLES.  Gives: storeFragment, firstFragment, nextFragment, dropFragments, squareFragments, and for
-// sorting: loadNode, linkNode, setFirstFragment.
+// Needs: COLOR_FORMAT, SAMPLES.  Gives: storeFragment, firstFragment, nextFragment, dropFragments, squareFragments, and where
+// lists are changed: insertFragment, loadNode, linkNode, setFirstFragment.
 #ifndef LinkedList_glsl
 #define LinkedList_glsl
 #include "Common/Bindings.glsl"
@@ -30,7 +30,7 @@ layout(std140, binding = UNIFORM_BINDING_STORAGE) uniform ListLayout
 
 layout(std430, binding = STORAGE_BINDING_COUNTERS) buffer ListCounters
 {
-  uint listCounters[]; // the next node of each cell, LIST_COUNTER_STRIDE apart; behind it, the first one
+  uint listCounters[]; // the next node of each cell, LIST_COUNTER_STRIDE apart; behind it, the first one and the end of the range
 };
 
 layout(std430, binding = STORAGE_BINDING_TABLE) buffer ListHeads
@@ -171,6 +171,28 @@ void linkNode(uint node, uint next)
 #else
   LINK_OF(node) = next;
 #endif
+}
+
+// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at. The list is read again before
+// anything is drawn again: it must not reach into the next cell's nodes.
+void insertFragment(ivec2 pixel, uint after, Fragment fragment)
+{
+  uint counter = counterOf(pixel);
+  uint index = atomicAdd(listCounters[counter], 1u);
+  if (index < listCounters[counter + 2u])
+  {
+    uint next = listHeads[headIndex(pixel)];
+    if (after == 0u)
+    {
+      listHeads[headIndex(pixel)] = index + 1u;
+    }
+    else
+    {
+      loadNode(after, next);
+      linkNode(after, index + 1u);
+    }
+    writeNode(index, next, fragment);
+  }
 }
 
 uint firstFragment(ivec2 pixel)

@@ -1,4 +1,4 @@
-// ABuffer/MergeRuns.glsl: long lists, once for each doubling: pairs of sorted runs become one.
+// Common/MergeRuns.glsl: long lists, once for each doubling: pairs of sorted runs become one.
 //
 // Needs: what the storage's sorting needs.
 #include "Common/Statistics.glsl"

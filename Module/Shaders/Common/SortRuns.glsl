@@ -1,4 +1,4 @@
-// ABuffer/SortRuns.glsl: long lists, first step: every 32 fragments of a list become a sorted run.
+// Common/SortRuns.glsl: long lists, first step: every 32 fragments of a list become a sorted run.
 //
 // Needs: what the storage's sorting needs.
 #include "Common/Statistics.glsl"

@@ -1,0 +1,128 @@
+#include "vtkTranslucencyVolumes.h"
+
+#include "vtkTranslucencyShader.h"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+namespace
+{
+// The mappers whose shader is that of vtkGPUVolumeRayCastMapper, by name: they are in modules that need not be there.
+bool CastsRaysByShader(vtkProp* prop)
+{
+  auto* volume = vtkVolume::SafeDownCast(prop);
+  vtkAbstractVolumeMapper* mapper = volume ? volume->GetMapper() : nullptr;
+  return mapper &&
+    (mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
+      mapper->IsA("vtkMultiBlockVolumeMapper"));
+}
+
+int DrawFramebuffer()
+{
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  return bound;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyVolumes::Find(const vtkRenderState* state, vtkRenderPass* pass)
+{
+  this->Pass = pass;
+  this->Props.clear();
+  this->Others.clear();
+  for (int i = 0; pass && i < vtkTranslucencyPropCount(state); ++i)
+  {
+    vtkProp* prop = vtkTranslucencyProp(state, i);
+    (CastsRaysByShader(prop) ? this->Props : this->Others).push_back(prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyVolumes::Gather(const vtkRenderState* one)
+{
+  this->Framebuffer = DrawFramebuffer();
+  this->Gathered = false;
+  this->Pass->Render(one);
+  vtkProp* prop = vtkTranslucencyProp(one, 0);
+  const bool known = std::find(this->Others.begin(), this->Others.end(), prop) != this->Others.end();
+  if (!this->Gathered && this->Pass->GetNumberOfRenderedProps() > 0 && !known)
+  {
+    this->Others.push_back(prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyVolumes::DrawUndivided(const vtkRenderState* state)
+{
+  std::string drawn;
+  for (vtkProp* prop : this->Others)
+  {
+    std::vector<vtkProp*> props{ prop };
+    vtkRenderState one(state->GetRenderer());
+    vtkTranslucencySetProps(one, props);
+    one.SetFrameBuffer(state->GetFrameBuffer());
+    one.SetRequiredKeys(state->GetRequiredKeys());
+    this->Pass->Render(&one);
+    if (this->Pass->GetNumberOfRenderedProps() > 0)
+    {
+      auto* volume = vtkVolume::SafeDownCast(prop);
+      const vtkObject* what = volume ? static_cast<vtkObject*>(volume->GetMapper()) : prop;
+      drawn += (drawn.empty() ? "" : ", ") + std::string(what->GetClassName());
+    }
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyVolumes::IsRayCaster(vtkAbstractMapper* mapper)
+{
+  return vtkAbstractVolumeMapper::SafeDownCast(mapper) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyVolumes::PreReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const
+{
+  // The second line of the loop is what the ray caster does to a whole ray's colour in the end.
+  const std::string worker = "initializeRayCast();\n"
+                             "startSegments();\n"
+                             "float front;\n"
+                             "float back;\n"
+                             "while (nextSegment(front, back))\n"
+                             "{\n"
+                             "  vec4 color = castRay(front, back);\n"
+                             "  color.rgb = color.rgb * in_scale + in_bias * color.a;\n"
+                             "  storeSegment(color);\n"
+                             "}\n"
+                             "gl_FragData[0] = vec4(0.0);\n";
+  return vtkTranslucencyShader::Substitute(fragmentShader, "//VTK::CallWorker::Impl", worker, who, error);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyVolumes::PostReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const
+{
+  const auto declares = [&fragmentShader](const char* name) {
+    return std::string(fragmentShader.find(name) != std::string::npos ? "1\n" : "0\n");
+  };
+  const std::string declarations = "#define RAY_FINDS_VALUES " + declares("uniform float in_isosurfacesValues") +
+    "#define RAY_MEETS_PLANE " + declares("uniform vec3 in_slicePlaneOrigin") + this->GatherText;
+  const std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
+  const std::string start = "if (!startRay(zStart, zEnd)) { return vec4(0.0); }\n";
+  using Shader = vtkTranslucencyShader;
+  return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&
+    Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, who, error) &&
+    Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Ray::Init", start, who, error);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyVolumes::SetShaderParameters(vtkShaderProgram* program)
+{
+  this->Gathered = DrawFramebuffer() == this->Framebuffer;
+  program->SetUniformi("gathersVolume", this->Gathered ? 1 : 0);
+}

@@ -1,0 +1,111 @@
+// GatherVolume.glsl: what VTK's ray caster calls: a ray is cast from fragment to fragment of its pixel, and what each segment gathers is
+// stored as a fragment between the two.
+//
+// The pixel's list is in front-to-back order and stays so: a segment is put behind the fragment at which it begins. The rays of one volume
+// meet in no pixel; between volumes the application waits. The ray's samples lie where they lie without surfaces, and each
+// belongs to one segment: surfaces of opacity 0 would not change the picture.
+//
+// Needs: what the storage needs; RAY_FINDS_VALUES (1: isosurfaces, found between a sample and the one before it), RAY_MEETS_PLANE (1: the ray
+// has one sample, on a plane); the ray caster's declarations.
+// Gives: startSegments, nextSegment(front, back), startRay(front, back), storeSegment(color).
+#ifndef GatherVolume_glsl
+#define GatherVolume_glsl
+#include "Common/Fragment.glsl"
+#include "Common/Frame.glsl"
+#include "Common/Samples.glsl"
+#include "Storage/Selected.glsl"
+
+#define NO_FRAGMENT 0u
+
+uniform int gathersVolume; // 0 where the ray caster does not draw into the picture: pixels are others there
+
+vec4 WindowToNDC(const float xCoord, const float yCoord, const float zCoord); // the ray caster's
+
+bool segmentsLeft;
+uint segmentAfter; // the fragment at which it begins,
+uint segmentBefore; // at which it ends,
+uint segmentRest; // and the first one behind that
+float segmentFront;
+float segmentBack;
+
+void startSegments()
+{
+  ivec2 at = ivec2(gl_FragCoord.xy) - frameTile.xy;
+  segmentsLeft = gathersVolume != 0 && all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, frameTile.zw));
+  segmentBefore = NO_FRAGMENT;
+  segmentRest = segmentsLeft ? firstFragment(ivec2(gl_FragCoord.xy)) : NO_FRAGMENT;
+  segmentBack = gl_FragCoord.z; // where the ray enters the volume
+}
+
+// The next part of the ray: between which window depths it lies. False if there is none.
+bool nextSegment(out float front, out float back)
+{
+  bool found = false;
+  segmentFront = segmentBack;
+  while (segmentsLeft && !found)
+  {
+    segmentAfter = segmentBefore;
+    segmentBefore = segmentRest;
+    segmentsLeft = segmentRest != NO_FRAGMENT;
+    float depth = 1.0;
+    if (segmentsLeft)
+    {
+      depth = loadNode(segmentRest, segmentRest).depth;
+    }
+    found = depth > segmentFront;
+    segmentBack = max(depth, segmentFront);
+  }
+  front = segmentFront;
+  back = segmentBack;
+  return found;
+}
+
+// Samples between the ray's first one and a window depth.
+float samplesBefore(float depth)
+{
+  vec4 point = ip_inverseTextureDataAdjusted * in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix * in_inverseProjectionMatrix *
+    WindowToNDC(gl_FragCoord.x, gl_FragCoord.y, depth);
+  return dot(point.xyz / point.w - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep);
+}
+
+// Puts the ray caster at the first sample of a segment. False if no sample lies in it.
+bool startRay(float front, float back)
+{
+  float first = front <= gl_FragCoord.z ? 0.0 : max(0.0, ceil(samplesBefore(front)));
+#if RAY_FINDS_VALUES
+  first = max(0.0, first - 1.0);
+#endif
+  g_fragColor = vec4(0.0);
+  g_exit = false;
+  g_dataPos = g_rayOrigin + first * g_dirStep;
+  g_currentT = 0.0;
+#if RAY_MEETS_PLANE
+  float plane = dot(g_intersection - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep);
+  return plane >= first && (segmentBefore == NO_FRAGMENT || plane < ceil(samplesBefore(back)));
+#else
+  // Of the ray's last segment the ray caster knows the end: what is opaque, a clipping plane, or the volume's far side.
+  float toEnd = dot(g_rayTermination - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep) - first;
+  float samples = segmentBefore == NO_FRAGMENT ? toEnd + 1.0 : min(ceil(samplesBefore(back)) - first, toEnd + 1.0);
+  g_terminatePointMax = samples - 1.0; // it takes a sample before it looks
+  bool outside = any(greaterThan(max(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMax[0]), vec3(0.0))) ||
+    any(greaterThan(min(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMin[0]), vec3(0.0)));
+  return samples > 0.0 && !outside;
+#endif
+}
+
+// color is multiplied by its opacity.
+void storeSegment(vec4 color)
+{
+  if (color.a > 0.0)
+  {
+    uint coverage = ALL_SAMPLES;
+#if SAMPLES > 1
+    coverage &= uint(gl_SampleMaskIn[0]);
+#endif
+    vec4 straight = vec4(color.rgb / color.a, min(color.a, 1.0));
+    insertFragment(ivec2(gl_FragCoord.xy), segmentAfter,
+      Fragment(0.5 * (segmentFront + segmentBack), packColor(straight), coverage));
+  }
+}
+
+#endif
