@@ -158,6 +158,15 @@ void AddTechniqueOptions(CLI::App* command, Arguments& arguments)
   }
 }
 
+void AddTechnique(CLI::App* command, Arguments& arguments)
+{
+  command->add_option("-t,--technique", arguments.Techniques, "a name from 'translucency list'")
+    ->expected(1)
+    ->allow_extra_args(false) // else it would take a -- that stands behind it
+    ->default_str("adaptive");
+  AddTechniqueOptions(command, arguments);
+}
+
 void AddFrameOptions(CLI::App* command, BenchmarkSettings& frames)
 {
   command->add_option("--frames", frames.Frames, "frames that are timed")
@@ -186,10 +195,7 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 
   auto* render = app.add_subcommand("render", "draw a picture by one technique");
   AddSceneOptions(render, written, arguments);
-  render->add_option("-t,--technique", arguments.Techniques, "a name from 'translucency list'")
-    ->expected(1)
-    ->default_str("adaptive");
-  AddTechniqueOptions(render, arguments);
+  AddTechnique(render, arguments);
   render->add_option("-o,--output", arguments.Output, "the picture: " + PictureSuffixes())
     ->required();
   render->footer(
@@ -226,6 +232,19 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
     "  translucency bench scene:rectangles:count=1200 --techniques exact,adaptive --frames 50 -o "
     "times.json");
 
+  auto* run = app.add_subcommand("run",
+    "run a program that uses VTK: where it asks for depth peeling, it gets another technique");
+  AddTechnique(run, arguments);
+  run->add_option("PROGRAM", arguments.Program, "the program and its arguments, behind --")->required()->expected(-1);
+  run->footer(
+    "Depth peeling is asked for by vtkRenderer::UseDepthPeelingOn, or by making a vtkDualDepthPeelingPass or a\n"
+    "vtkDepthPeelingPass. The program, in C++ or Python, stays as it is; it must use VTK " TRANSLUCENCY_VTK_VERSION ", else it draws as\n"
+    "it would have, after a message. Its exit status is that of this command.\n"
+    "Examples:\n"
+    "  translucency run -- python3 script.py\n"
+    "  translucency run --technique exact -- ./viewer scan.vtp\n"
+    "  xvfb-run translucency run --technique adaptive --nodes 8 -- python3 script.py   (without a display)");
+
   app.add_subcommand("schema", "print the JSON schema of scene files");
 }
 
@@ -254,9 +273,9 @@ void PutTogether(const CLI::App& command, const Written& written, Arguments& arg
 {
   const std::map<std::string, Action> actions{ { "list", Action::List },
     { "render", Action::Render }, { "compare", Action::Compare }, { "bench", Action::Bench },
-    { "schema", Action::Schema } };
+    { "run", Action::Run }, { "schema", Action::Schema } };
   arguments.Do = actions.at(command.get_name());
-  if (arguments.Do == Action::List || arguments.Do == Action::Schema)
+  if (arguments.Do == Action::List || arguments.Do == Action::Schema || arguments.Do == Action::Run)
   {
     return;
   }
@@ -303,6 +322,7 @@ std::optional<Arguments> ParseArguments(int argc, char** argv)
              "  translucency list\n"
              "  translucency render FILE -o picture.png\n"
              "  translucency compare FILE -o folder      and open folder/index.html\n"
+             "  translucency run -- PROGRAM              a program of yours, by another technique\n"
              "'translucency COMMAND --help' says more of each command.");
   DeclareCommands(app, written, arguments);
   try
@@ -317,7 +337,9 @@ std::optional<Arguments> ParseArguments(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-    throw Failure(std::string(error.what()) + " (translucency --help)");
+    const bool runs = !app.get_subcommands().empty() && app.got_subcommand("run");
+    throw Failure(std::string(error.what()) +
+      (runs ? " (translucency run [OPTIONS] -- PROGRAM [ARGUMENTS])" : " (translucency --help)"));
   }
   return arguments;
 }

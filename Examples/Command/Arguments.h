@@ -19,6 +19,7 @@ enum class Action
   Render,
   Compare,
   Bench,
+  Run,
   Schema,
 };
 
@@ -39,10 +40,12 @@ struct Arguments
   std::optional<double> Zoom;
 
   // how
-  std::vector<std::string> Techniques;         ///< one for render; empty: all
-  std::map<std::string, std::string> Settings; ///< render: keyword and value
+  std::vector<std::string> Techniques;         ///< one for render and run; empty: all
+  std::map<std::string, std::string> Settings; ///< render, run: keyword and value
   std::string Reference = "exact";
   BenchmarkSettings Frames;
+
+  std::vector<std::string> Program; ///< run: with its arguments
 
   std::string Output; ///< a picture, a folder or a JSON file; empty for none
 };

@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "OutputFiles.h"
 #include "Page.h"
+#include "Program.h"
 #include "Report.h"
 #include "SceneFile.h"
 #include "Stage.h"
@@ -173,15 +174,22 @@ void MeasureRows(const std::vector<TechniqueChoice>& techniques, const std::vect
   }
 }
 
-void RunRender(const Arguments& arguments)
+// The one technique that was asked for, with the options given by flags.
+TechniqueChoice ChooseTechniqueOf(const Arguments& arguments)
 {
-  CheckPictureSuffix(arguments.Output);
   TechniqueChoice technique =
     ChooseTechnique(arguments.Techniques.empty() ? "adaptive" : arguments.Techniques.front());
   for (const auto& setting : arguments.Settings)
   {
     AddSetting(technique, setting.first, setting.second);
   }
+  return technique;
+}
+
+void RunRender(const Arguments& arguments)
+{
+  CheckPictureSuffix(arguments.Output);
+  const TechniqueChoice technique = ChooseTechniqueOf(arguments);
   Task task = MakeTask(arguments);
   Stage stage(task.Setting.Size, task.Setting.Samples);
   ReadParts(task);
@@ -289,6 +297,9 @@ void RunCommand(const Arguments& arguments)
       break;
     case Action::Bench:
       RunBench(arguments);
+      break;
+    case Action::Run:
+      RunProgram(ChooseTechniqueOf(arguments), arguments.Program);
       break;
     case Action::Schema:
       std::cout << Embedded::SceneSchema;
