@@ -87,9 +87,10 @@ bool startRay(float front, float back)
   float toEnd = dot(g_rayTermination - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep) - first;
   float samples = segmentBefore == NO_FRAGMENT ? toEnd + 1.0 : min(ceil(samplesBefore(back)) - first, toEnd + 1.0);
   g_terminatePointMax = samples - 1.0; // it takes a sample before it looks
+  // The ray caster takes the first sample of a ray without looking, too.
   bool outside = any(greaterThan(max(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMax[0]), vec3(0.0))) ||
     any(greaterThan(min(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMin[0]), vec3(0.0)));
-  return samples > 0.0 && !outside;
+  return samples > 0.0 && (first == 0.0 || !outside);
 #endif
 }
 
