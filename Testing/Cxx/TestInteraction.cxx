@@ -2,11 +2,16 @@
 #include "RenderTest.h"
 
 #include <vtkActor.h>
+#include <vtkAreaPicker.h>
 #include <vtkCamera.h>
+#include <vtkCellPicker.h>
+#include <vtkCullerCollection.h>
 #include <vtkHardwareSelector.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProp3DCollection.h>
+#include <vtkPropPicker.h>
 #include <vtkProperty.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
@@ -14,6 +19,7 @@
 #include <vtkTranslucencyStatistics.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -101,6 +107,13 @@ public:
     return ids;
   }
 
+  // -1 for what is none.
+  int GetNumber(vtkProp* ball) const
+  {
+    const auto found = this->Numbers.find(ball);
+    return found == this->Numbers.end() ? -1 : found->second;
+  }
+
 private:
   std::map<vtkProp*, int> Numbers;
 };
@@ -173,6 +186,59 @@ TEST_P(TestInteraction, MovingCameraReusesEveryBuffer)
     EXPECT_EQ(statistics->GetBytes(), bytes) << "frame " << frame;
   }
   EXPECT_GT(most, 1.5 * least);
+}
+
+//------------------------------------------------------------------------------
+// Pickers by ray (vtkCellPicker), by frustum (vtkAreaPicker) and of props (vtkPropPicker, by hardware) after a frame of the pass.
+TEST_P(TestInteraction, PickersFindWhatTheyFindWithout)
+{
+  Balls balls(GetParam().Samples);
+  const auto pick = [&balls]
+  {
+    balls.Window->Render();
+    std::vector<int> found;
+    vtkNew<vtkCellPicker> ray;
+    vtkNew<vtkPropPicker> prop;
+    for (const auto& at : { std::array<double, 2>{ { 100, 80 } }, { { 60, 70 } }, { { 140, 90 } }, { { 3, 3 } } })
+    {
+      ray->Pick(at[0], at[1], 0, balls.Renderer);
+      found.push_back(static_cast<int>(ray->GetCellId()));
+      found.push_back(balls.GetNumber(ray->GetActor()));
+      prop->Pick(at[0], at[1], 0, balls.Renderer);
+      found.push_back(balls.GetNumber(prop->GetActor()));
+    }
+    vtkNew<vtkAreaPicker> area;
+    area->AreaPick(20, 20, 90, 140, balls.Renderer);
+    found.push_back(area->GetProp3Ds()->GetNumberOfItems());
+    return found;
+  };
+  const std::vector<int> without = pick();
+  balls.SetPass(GetParam().New());
+  EXPECT_EQ(pick(), without);
+  EXPECT_EQ(std::count(without.begin(), without.end(), -1), 3) << "nothing lies in the corner, all else is hit";
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestInteraction, PropsOutsideOfTheFrustumAreCulled)
+{
+  Balls balls(GetParam().Samples);
+  const auto pass = GetParam().New();
+  balls.SetPass(pass);
+  const Picture all = balls.Render();
+  const int drawn = pass->GetNumberOfRenderedProps();
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(40, 0, 0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> outside;
+  outside->SetMapper(mapper);
+  outside->GetProperty()->SetOpacity(0.5);
+  balls.Renderer->AddActor(outside);
+  EXPECT_EQ(Compare(all, balls.Render()).Largest, 0);
+  EXPECT_EQ(pass->GetNumberOfRenderedProps(), drawn);
+  balls.Renderer->GetCullers()->RemoveAllItems();
+  EXPECT_EQ(Compare(all, balls.Render()).Largest, 0);
+  EXPECT_EQ(pass->GetNumberOfRenderedProps(), drawn + 1) << "without cullers it is drawn, where nobody sees it";
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, TestInteraction, testing::ValuesIn(Techniques()),

@@ -892,6 +892,25 @@ def tone_mapping(stage):
     chained(stage, lambda renderer: vtk.vtkToneMappingPass())
 
 
+def framebuffer(stage, depth_format):
+    def wrap(renderer):
+        outer = vtk.vtkFramebufferPass()
+        outer.SetDepthFormat(depth_format)
+        return outer
+
+    chained(stage, wrap)
+
+
+@kind("a depth buffer of 32 bits (vtkFramebufferPass)", share_of_samples=0.98, why="the pass draws into a framebuffer of its own, of one sample")
+def depth_of_32_bits(stage):
+    framebuffer(stage, vtk.vtkTextureObject.Fixed32)
+
+
+@kind("a depth buffer of 32-bit floats (vtkFramebufferPass)", share_of_samples=0.98, why="the pass draws into a framebuffer of its own, of one sample")
+def depth_of_floats(stage):
+    framebuffer(stage, vtk.vtkTextureObject.Float32)
+
+
 @kind("Gaussian blur (vtkGaussianBlurPass)")
 def gaussian_blur(stage):
     chained(stage, lambda renderer: vtk.vtkGaussianBlurPass())
