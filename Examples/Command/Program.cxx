@@ -22,11 +22,13 @@ std::string FindPreload()
     (fs::read_symlink("/proc/self/exe").parent_path() / TRANSLUCENCY_PRELOAD).lexically_normal();
   if (!fs::exists(file))
   {
-    throw Failure("'" + file.string() + "' is not there, expected the library that programs are run with");
+    throw Failure(
+      "'" + file.string() + "' is not there, expected the library that programs are run with");
   }
   if (file.string().find_first_of(" :") != std::string::npos)
   {
-    throw Failure("'" + file.string() + "' can't be preloaded, expected a path without spaces and colons");
+    throw Failure(
+      "'" + file.string() + "' can't be preloaded, expected a path without spaces and colons");
   }
   return file.string();
 }
@@ -35,7 +37,8 @@ std::string FindPreload()
 //------------------------------------------------------------------------------
 void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>& program)
 {
-  nlohmann::json wanted = { { "technique", technique.Name }, { "options", nlohmann::json::object() } };
+  nlohmann::json wanted = { { "technique", technique.Name },
+    { "options", nlohmann::json::object() } };
   for (const auto& setting : technique.Settings)
   {
     wanted["options"][setting.first] = setting.second;
@@ -51,5 +54,6 @@ void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>
   }
   words.push_back(nullptr);
   execvp(words[0], words.data()); // returns only if it failed
-  throw Failure("'" + program[0] + "' can't be run: " + std::strerror(errno) + "; expected a program, behind --");
+  throw Failure("'" + program[0] + "' can't be run: " + std::strerror(errno) +
+    "; expected a program, behind --");
 }

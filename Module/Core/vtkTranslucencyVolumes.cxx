@@ -51,7 +51,8 @@ void vtkTranslucencyVolumes::Gather(const vtkRenderState* one)
   this->Gathered = false;
   this->Pass->Render(one);
   vtkProp* prop = vtkTranslucencyProp(one, 0);
-  const bool known = std::find(this->Others.begin(), this->Others.end(), prop) != this->Others.end();
+  const bool known =
+    std::find(this->Others.begin(), this->Others.end(), prop) != this->Others.end();
   if (!this->Gathered && this->Pass->GetNumberOfRenderedProps() > 0 && !known)
   {
     this->Others.push_back(prop);
@@ -61,23 +62,29 @@ void vtkTranslucencyVolumes::Gather(const vtkRenderState* one)
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyVolumes::DrawUndivided(const vtkRenderState* state)
 {
+  if (this->Others.empty())
+  {
+    return "";
+  }
+  vtkRenderState others(state->GetRenderer());
+  vtkTranslucencySetProps(others, this->Others);
+  others.SetFrameBuffer(state->GetFrameBuffer());
+  others.SetRequiredKeys(state->GetRequiredKeys());
+  this->Pass->Render(&others);
+  if (this->Pass->GetNumberOfRenderedProps() == 0)
+  {
+    return "";
+  }
   std::string drawn;
   for (vtkProp* prop : this->Others)
   {
-    std::vector<vtkProp*> props{ prop };
-    vtkRenderState one(state->GetRenderer());
-    vtkTranslucencySetProps(one, props);
-    one.SetFrameBuffer(state->GetFrameBuffer());
-    one.SetRequiredKeys(state->GetRequiredKeys());
-    this->Pass->Render(&one);
-    if (this->Pass->GetNumberOfRenderedProps() > 0)
+    auto* volume = vtkVolume::SafeDownCast(prop);
+    if (volume && volume->GetMapper())
     {
-      auto* volume = vtkVolume::SafeDownCast(prop);
-      const vtkObject* what = volume ? static_cast<vtkObject*>(volume->GetMapper()) : prop;
-      drawn += (drawn.empty() ? "" : ", ") + std::string(what->GetClassName());
+      drawn += (drawn.empty() ? "" : ", ") + std::string(volume->GetMapper()->GetClassName());
     }
   }
-  return drawn;
+  return drawn.empty() ? "assemblies" : drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +94,8 @@ bool vtkTranslucencyVolumes::IsRayCaster(vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyVolumes::PreReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const
+bool vtkTranslucencyVolumes::PreReplaceShaderValues(
+  std::string& fragmentShader, const std::string& who, std::string& error) const
 {
   // The second line of the loop is what the ray caster does to a whole ray's colour in the end.
   const std::string worker = "initializeRayCast();\n"
@@ -101,18 +109,21 @@ bool vtkTranslucencyVolumes::PreReplaceShaderValues(std::string& fragmentShader,
                              "  storeSegment(color);\n"
                              "}\n"
                              "gl_FragData[0] = vec4(0.0);\n";
-  return vtkTranslucencyShader::Substitute(fragmentShader, "//VTK::CallWorker::Impl", worker, who, error);
+  return vtkTranslucencyShader::Substitute(
+    fragmentShader, "//VTK::CallWorker::Impl", worker, who, error);
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyVolumes::PostReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const
+bool vtkTranslucencyVolumes::PostReplaceShaderValues(
+  std::string& fragmentShader, const std::string& who, std::string& error) const
 {
-  const auto declares = [&fragmentShader](const char* name) {
-    return std::string(fragmentShader.find(name) != std::string::npos ? "1\n" : "0\n");
-  };
-  const std::string declarations = "#define RAY_FINDS_VALUES " + declares("uniform float in_isosurfacesValues") +
-    "#define RAY_MEETS_PLANE " + declares("uniform vec3 in_slicePlaneOrigin") + this->GatherText;
-  const std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
+  const auto declares = [&fragmentShader](const char* name)
+  { return std::string(fragmentShader.find(name) != std::string::npos ? "1\n" : "0\n"); };
+  const std::string declarations = "#define RAY_FINDS_VALUES " +
+    declares("uniform float in_isosurfacesValues") + "#define RAY_MEETS_PLANE " +
+    declares("uniform vec3 in_slicePlaneOrigin") + this->GatherText;
+  const std::string system =
+    "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
   const std::string start = "if (!startRay(zStart, zEnd)) { return vec4(0.0); }\n";
   using Shader = vtkTranslucencyShader;
   return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&

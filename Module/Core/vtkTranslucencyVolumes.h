@@ -45,8 +45,10 @@ public:
 
   // Of vtkOpenGLRenderPass, for ray casters.
   static bool IsRayCaster(vtkAbstractMapper* mapper);
-  bool PreReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const;
-  bool PostReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const;
+  bool PreReplaceShaderValues(
+    std::string& fragmentShader, const std::string& who, std::string& error) const;
+  bool PostReplaceShaderValues(
+    std::string& fragmentShader, const std::string& who, std::string& error) const;
   void SetShaderParameters(vtkShaderProgram* program);
 
 private:
@@ -54,7 +56,7 @@ private:
   std::vector<vtkProp*> Others;
   vtkRenderPass* Pass = nullptr;
   std::string GatherText;
-  int Framebuffer = 0; // that is drawn to
+  int Framebuffer = 0;   // that is drawn to
   bool Gathered = false; // the volume that is being drawn
 };
 

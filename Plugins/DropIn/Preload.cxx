@@ -68,7 +68,8 @@ void* Find(const char* symbol, const void* caller)
   if (!found)
   {
     std::string file;
-    const auto look = [](dl_phdr_info* info, size_t, void* to) {
+    const auto look = [](dl_phdr_info* info, size_t, void* to)
+    {
       *static_cast<std::string*>(to) = HoldsVTK(info->dlpi_name) ? info->dlpi_name : "";
       return HoldsVTK(info->dlpi_name) ? 1 : 0;
     };
@@ -162,10 +163,12 @@ private:
 // Says so where a program with VTK in it has never asked.
 __attribute__((destructor)) void SayIfNeverAsked()
 {
-  const auto look = [](dl_phdr_info* info, size_t, void*) { return HoldsVTK(info->dlpi_name) ? 1 : 0; };
+  const auto look = [](dl_phdr_info* info, size_t, void*)
+  { return HoldsVTK(info->dlpi_name) ? 1 : 0; };
   if (!DropIn::Get().Asked && dl_iterate_phdr(look, nullptr))
   {
-    Say("it never asked for depth peeling (vtkRenderer::UseDepthPeelingOn, or a depth peeling pass); it drew as it does without");
+    Say("it never asked for depth peeling (vtkRenderer::UseDepthPeelingOn, or a depth peeling "
+        "pass); it drew as it does without");
   }
 }
 }
@@ -173,11 +176,13 @@ __attribute__((destructor)) void SayIfNeverAsked()
 //------------------------------------------------------------------------------
 __attribute__((visibility("default"))) vtkDualDepthPeelingPass* vtkDualDepthPeelingPass::New()
 {
-  return static_cast<vtkDualDepthPeelingPass*>(DropIn::Get().New(NewDual, __builtin_return_address(0)));
+  return static_cast<vtkDualDepthPeelingPass*>(
+    DropIn::Get().New(NewDual, __builtin_return_address(0)));
 }
 
 //------------------------------------------------------------------------------
 __attribute__((visibility("default"))) vtkDepthPeelingPass* vtkDepthPeelingPass::New()
 {
-  return static_cast<vtkDepthPeelingPass*>(DropIn::Get().New(NewSingle, __builtin_return_address(0)));
+  return static_cast<vtkDepthPeelingPass*>(
+    DropIn::Get().New(NewSingle, __builtin_return_address(0)));
 }

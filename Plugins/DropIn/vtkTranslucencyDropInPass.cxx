@@ -43,7 +43,8 @@ void vtkTranslucencyDropInPass::Render(const vtkRenderState* state)
   }
   this->Technique->Render(state);
   this->NumberOfRenderedProps = this->Technique->GetNumberOfRenderedProps();
-  if (this->VolumetricPass && !own && !dual) // techniques that know no volumes; the renderer leaves them to this pass
+  if (this->VolumetricPass && !own &&
+    !dual) // techniques that know no volumes; the renderer leaves them to this pass
   {
     this->VolumetricPass->Render(state);
     this->NumberOfRenderedProps += this->VolumetricPass->GetNumberOfRenderedProps();
@@ -63,9 +64,10 @@ void vtkTranslucencyDropInPass::ReleaseGraphicsResources(vtkWindow* window)
 extern "C" __attribute__((visibility("default"))) void* vtkTranslucencyDropInNew()
 {
   const char* text = std::getenv("TRANSLUCENCY_TECHNIQUE");
-  const auto wanted = nlohmann::json::parse(text ? text : R"({"technique": "adaptive", "options": {}})");
-  const auto technique =
-    vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(wanted["technique"].get<std::string>()));
+  const auto wanted =
+    nlohmann::json::parse(text ? text : R"({"technique": "adaptive", "options": {}})");
+  const auto technique = vtkSmartPointer<vtkRenderPass>::Take(
+    vtkTranslucencyFactory::CreateTechnique(wanted["technique"].get<std::string>()));
   if (auto* own = vtkTranslucencyPass::SafeDownCast(technique))
   {
     for (const auto& option : wanted["options"].items())

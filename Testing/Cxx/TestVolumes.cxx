@@ -53,7 +53,8 @@ vtkSmartPointer<vtkImageData> NewCube(const std::function<double(double, double,
 }
 
 // Opacity grows with the value, from 0 to mostOpacity in a distance of 0.1.
-vtkSmartPointer<vtkVolume> NewVolume(vtkVolumeMapper* mapper, vtkImageData* data, const Color& low, const Color& high, double mostOpacity)
+vtkSmartPointer<vtkVolume> NewVolume(vtkVolumeMapper* mapper, vtkImageData* data, const Color& low,
+  const Color& high, double mostOpacity)
 {
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0, 0);
@@ -81,9 +82,12 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(double sampleDistance)
 
 vtkSmartPointer<vtkVolume> NewCloud(vtkVolumeMapper* mapper)
 {
-  const auto data = NewCube([](double x, double y, double z) {
-    return std::max(0.0, 1 - 1.8 * std::sqrt(x * x + y * y + z * z)) * (0.6 + 0.4 * std::sin(20 * x + 9 * z));
-  });
+  const auto data = NewCube(
+    [](double x, double y, double z)
+    {
+      return std::max(0.0, 1 - 1.8 * std::sqrt(x * x + y * y + z * z)) *
+        (0.6 + 0.4 * std::sin(20 * x + 9 * z));
+    });
   return NewVolume(mapper, data, { { 0.2, 0.5, 1 } }, { { 1, 0.6, 0.1 } }, 0.6);
 }
 
@@ -104,7 +108,8 @@ void AddSheet(vtkRenderer* renderer, const Sheet& sheet)
   source->SetPoint1(3, -3, sheet.Z);
   source->SetPoint2(-3, 3, sheet.Z);
   source->Update();
-  renderer->AddActor(NewUnlitActor(source->GetOutput(), { { sheet.Rgb[0], sheet.Rgb[1], sheet.Rgb[2] } }, sheet.Alpha));
+  renderer->AddActor(NewUnlitActor(
+    source->GetOutput(), { { sheet.Rgb[0], sheet.Rgb[1], sheet.Rgb[2] } }, sheet.Alpha));
 }
 
 void SetCamera(vtkRenderer* renderer, const std::array<double, 3>& position, bool parallel = false)
@@ -121,7 +126,8 @@ void SetCamera(vtkRenderer* renderer, const std::array<double, 3>& position, boo
 class VolumeView : public View
 {
 public:
-  explicit VolumeView(const std::array<double, 3>& position = { { 0.9, 0.7, 2.4 } }, bool parallel = false, int samples = 0)
+  explicit VolumeView(const std::array<double, 3>& position = { { 0.9, 0.7, 2.4 } },
+    bool parallel = false, int samples = 0)
     : View(Width, Height, samples)
   {
     SetCamera(this->Renderer, position, parallel);
@@ -184,7 +190,8 @@ TEST_P(TestVolumes, OfOneDensityAsComputed)
       double inside = Background[channel];
       double outside = Background[channel];
       double at = -0.5;
-      const auto cross = [&](double to) {
+      const auto cross = [&](double to)
+      {
         const double transmittance = std::pow(1 - opacity, std::max(0.0, to - at) / 0.1);
         inside = inside * transmittance + rgb[channel] * (1 - transmittance);
         at = std::max(at, to);
@@ -199,7 +206,8 @@ TEST_P(TestVolumes, OfOneDensityAsComputed)
           cross(0.5);
         }
       }
-      EXPECT_NEAR(drawn.At(Width / 2 + 7, Height / 2 - 5, channel), 255 * inside, 1.5) << volumeFirst << " " << channel;
+      EXPECT_NEAR(drawn.At(Width / 2 + 7, Height / 2 - 5, channel), 255 * inside, 1.5)
+        << volumeFirst << " " << channel;
       EXPECT_NEAR(drawn.At(3, 4, channel), 255 * outside, 1) << volumeFirst << " " << channel;
     }
     view.Render();
@@ -251,7 +259,8 @@ TEST_P(TestVolumes, AddedInAnyOrderGiveTheSamePicture)
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, TestVolumes,
-  testing::Values(Technique{ "exact", New<vtkABufferPass> }, Technique{ "adaptive", New<vtkAdaptiveTransparencyPass> }),
+  testing::Values(Technique{ "exact", New<vtkABufferPass> },
+    Technique{ "adaptive", New<vtkAdaptiveTransparencyPass> }),
   [](const auto& info) { return info.param.Name; });
 
 namespace
@@ -262,7 +271,8 @@ struct Cast
   std::array<double, 3> Position{ { 0.9, 0.7, 2.4 } };
   bool Parallel = false;
   int Samples = 0;
-  std::function<void(vtkGPUVolumeRayCastMapper*, vtkVolume*)> Change = [](vtkGPUVolumeRayCastMapper*, vtkVolume*) {};
+  std::function<void(vtkGPUVolumeRayCastMapper*, vtkVolume*)> Change =
+    [](vtkGPUVolumeRayCastMapper*, vtkVolume*) {};
 };
 
 void PrintTo(const Cast& cast, std::ostream* os)
@@ -316,15 +326,19 @@ INSTANTIATE_TEST_SUITE_P(Casts, TestRays,
   testing::Values(Cast{ "Perspective" }, Cast{ "FromTheSide", { { 2.2, 0.4, 0.9 } } },
     Cast{ "Parallel", { { 0.9, 0.7, 2.4 } }, true }, Cast{ "FromWithin", { { 0.1, 0.05, 0.4 } } },
     Cast{ "FourSamples", { { 0.9, 0.7, 2.4 } }, false, 4 },
-    Cast{ "Jittered", { { 0.9, 0.7, 2.4 } }, false, 0, [](auto* mapper, auto*) { mapper->SetUseJittering(1); } },
-    Cast{ "Shaded", { { 0.9, 0.7, 2.4 } }, false, 0, [](auto*, auto* volume) { volume->GetProperty()->ShadeOn(); } },
+    Cast{ "Jittered", { { 0.9, 0.7, 2.4 } }, false, 0,
+      [](auto* mapper, auto*) { mapper->SetUseJittering(1); } },
+    Cast{ "Shaded", { { 0.9, 0.7, 2.4 } }, false, 0,
+      [](auto*, auto* volume) { volume->GetProperty()->ShadeOn(); } },
     Cast{ "Isosurfaces", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto* mapper, auto* volume) {
+      [](auto* mapper, auto* volume)
+      {
         mapper->SetBlendMode(vtkVolumeMapper::ISOSURFACE_BLEND);
         volume->GetProperty()->GetIsoSurfaceValues()->GenerateValues(3, 0.1, 0.6);
       } },
     Cast{ "Slice", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto* mapper, auto* volume) {
+      [](auto* mapper, auto* volume)
+      {
         mapper->SetBlendMode(vtkVolumeMapper::SLICE_BLEND);
         vtkNew<vtkPlane> plane;
         plane->SetNormal(0.4, 0.3, 0.9);
@@ -333,24 +347,28 @@ INSTANTIATE_TEST_SUITE_P(Casts, TestRays,
     Cast{ "DenseToItsEdges", { { 0.9, 0.7, 2.4 } }, false, 0,
       [](auto*, auto* volume) { volume->GetProperty()->GetScalarOpacity()->AddPoint(0, 0.999); } },
     Cast{ "ColorsScaled", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto* mapper, auto*) {
+      [](auto* mapper, auto*)
+      {
         mapper->SetFinalColorWindow(0.6f);
         mapper->SetFinalColorLevel(0.4f);
       } },
     Cast{ "Clipped", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto* mapper, auto*) {
+      [](auto* mapper, auto*)
+      {
         vtkNew<vtkPlane> plane;
         plane->SetOrigin(0, 0, 0.1);
         plane->SetNormal(0.4, 0.1, -0.8);
         mapper->AddClippingPlane(plane);
       } },
     Cast{ "Cropped", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto* mapper, auto*) {
+      [](auto* mapper, auto*)
+      {
         mapper->SetCropping(1);
         mapper->SetCroppingRegionPlanes(-0.3, 0.2, -0.2, 0.4, -0.1, 0.3);
       } },
     Cast{ "Transformed", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto*, auto* volume) {
+      [](auto*, auto* volume)
+      {
         volume->SetScale(1.4, 0.6, 0.8);
         volume->RotateY(40);
         volume->SetPosition(0.1, 0.1, -0.2);
@@ -367,7 +385,8 @@ TEST_F(TestVolume, StandsInAViewportAsInAWindow)
   pair.Window->AddRenderer(left);
   const double width = Width * 2 + 30;
   const double height = Height + 20;
-  pair.Renderer->SetViewport((width - Width - 7) / width, 15 / height, (width - 7) / width, (15.0 + Height) / height);
+  pair.Renderer->SetViewport(
+    (width - Width - 7) / width, 15 / height, (width - 7) / width, (15.0 + Height) / height);
   SetCamera(pair.Renderer, { { 0.9, 0.7, 2.4 } });
   SetCamera(left, { { 0.9, 0.7, 2.4 } });
   vtkNew<vtkABufferPass> passAlone;
@@ -384,7 +403,8 @@ TEST_F(TestVolume, StandsInAViewportAsInAWindow)
   alone.SetPass(passAlone);
   left->SetPass(passOfLeft);
   pair.SetPass(passOfRight);
-  const PictureDifference difference = Compare(alone.Render(), Crop(pair.Render(), Width + 23, 15, Width, Height));
+  const PictureDifference difference =
+    Compare(alone.Render(), Crop(pair.Render(), Width + 23, 15, Width, Height));
   EXPECT_LE(difference.Largest, 1) << difference;
 }
 
@@ -408,7 +428,8 @@ TEST_F(TestVolume, ThatCantBeDividedIsDrawnOverTheSurfacesWithAWarning)
   const auto reduced = NewRayCaster(0.01);
   reduced->SetImageSampleDistance(2);
   vtkNew<vtkFixedPointVolumeRayCastMapper> onTheCpu;
-  for (vtkVolumeMapper* mapper : { static_cast<vtkVolumeMapper*>(reduced), static_cast<vtkVolumeMapper*>(onTheCpu) })
+  for (vtkVolumeMapper* mapper :
+    { static_cast<vtkVolumeMapper*>(reduced), static_cast<vtkVolumeMapper*>(onTheCpu) })
   {
     VolumeView view;
     view.Renderer->AddViewProp(NewCloud(mapper));
@@ -425,7 +446,8 @@ TEST_F(TestVolume, ThatCantBeDividedIsDrawnOverTheSurfacesWithAWarning)
     EXPECT_LE(Compare(over, view.Render()).Largest, 1);
     const std::vector<std::string> messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find(std::string("volumes of ") + mapper->GetClassName() + " are drawn over the translucent surfaces"),
+    EXPECT_NE(messages[0].find(std::string("volumes of ") + mapper->GetClassName() +
+                " are drawn over the translucent surfaces"),
       std::string::npos)
       << messages[0];
   }
