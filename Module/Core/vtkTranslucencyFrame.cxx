@@ -299,8 +299,6 @@ bool vtkTranslucencyFrame::DrawVolumes()
   }
   ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
   this->PrepareDrawing();
-  // Ray casters copy the opaque depth to the corner of a texture, which the scissor test would cut; the shader knows the tile.
-  this->Window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
   for (vtkProp* prop : kept.Volumes.GetProps())
   {
     std::vector<vtkProp*> props{ prop };

@@ -112,6 +112,17 @@ void AddSheet(vtkRenderer* renderer, const Sheet& sheet)
     source->GetOutput(), { { sheet.Rgb[0], sheet.Rgb[1], sheet.Rgb[2] } }, sheet.Alpha));
 }
 
+// Through the middle.
+void AddOpaque(vtkRenderer* renderer)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(-0.1, -0.5, -0.3);
+  source->SetPoint1(0.3, -0.5, 0.2);
+  source->SetPoint2(-0.1, 0.1, -0.1);
+  source->Update();
+  renderer->AddActor(NewUnlitActor(source->GetOutput(), { { 0.9, 0.9, 0.8 } }, 1));
+}
+
 void SetCamera(vtkRenderer* renderer, const std::array<double, 3>& position, bool parallel = false)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -223,6 +234,7 @@ TEST_P(TestVolumes, AddedInAnyOrderGiveTheSamePicture)
   for (bool volumeFirst : { true, false })
   {
     VolumeView view;
+    AddOpaque(view.Renderer);
     const auto volume = NewCloud(NewRayCaster(0.01));
     if (volumeFirst)
     {
@@ -291,12 +303,7 @@ protected:
     const auto volume = NewCloud(mapper);
     GetParam().Change(mapper, volume);
     view.Renderer->AddViewProp(volume);
-    vtkNew<vtkPlaneSource> source; // opaque, through the middle
-    source->SetOrigin(-0.1, -0.5, -0.3);
-    source->SetPoint1(0.3, -0.5, 0.2);
-    source->SetPoint2(-0.1, 0.1, -0.1);
-    source->Update();
-    view.Renderer->AddActor(NewUnlitActor(source->GetOutput(), { { 0.9, 0.9, 0.8 } }, 1));
+    AddOpaque(view.Renderer);
   }
 };
 }
@@ -395,6 +402,7 @@ TEST_F(TestVolume, StandsInAViewportAsInAWindow)
   for (vtkRenderer* renderer : { alone.Renderer.Get(), pair.Renderer.Get(), left.Get() })
   {
     renderer->AddViewProp(NewCloud(NewRayCaster(0.01)));
+    AddOpaque(renderer);
     for (const Sheet& sheet : Sheets)
     {
       AddSheet(renderer, sheet);

@@ -11,7 +11,6 @@
 #ifndef GatherVolume_glsl
 #define GatherVolume_glsl
 #include "Common/Fragment.glsl"
-#include "Common/Frame.glsl"
 #include "Common/Samples.glsl"
 #include "Storage/Selected.glsl"
 
@@ -30,8 +29,7 @@ float segmentBack;
 
 void startSegments()
 {
-  ivec2 at = ivec2(gl_FragCoord.xy) - frameTile.xy;
-  segmentsLeft = gathersVolume != 0 && all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, frameTile.zw));
+  segmentsLeft = gathersVolume != 0 && inTile(ivec2(gl_FragCoord.xy));
   segmentBefore = NO_FRAGMENT;
   segmentRest = segmentsLeft ? firstFragment(ivec2(gl_FragCoord.xy)) : NO_FRAGMENT;
   segmentBack = gl_FragCoord.z; // where the ray enters the volume
