@@ -303,9 +303,7 @@ bool vtkTranslucencyFrame::DrawVolumes()
   {
     std::vector<vtkProp*> props{ prop };
     vtkRenderState one(this->State->GetRenderer());
-    vtkTranslucencySetProps(one, props);
-    one.SetFrameBuffer(this->State->GetFrameBuffer());
-    one.SetRequiredKeys(this->State->GetRequiredKeys());
+    vtkTranslucencySetProps(one, props, this->State);
     this->Pass->PreRender(&one);
     kept.Gathering = true;
     kept.Volumes.Gather(&one);

@@ -29,9 +29,12 @@ inline vtkProp* vtkTranslucencyProp(const vtkRenderState* state, int index)
   return state->GetPropArray()[index];
 }
 
-/// Makes a render state hold these props, which have to outlive it.
-inline void vtkTranslucencySetProps(vtkRenderState& state, std::vector<vtkProp*>& props)
+/// Makes a render state like another one, of these props, which have to outlive it.
+inline void vtkTranslucencySetProps(
+  vtkRenderState& state, std::vector<vtkProp*>& props, const vtkRenderState* like)
 {
+  state.SetFrameBuffer(like->GetFrameBuffer());
+  state.SetRequiredKeys(like->GetRequiredKeys());
   state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
 }
 

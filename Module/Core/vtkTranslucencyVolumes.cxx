@@ -67,9 +67,7 @@ std::string vtkTranslucencyVolumes::DrawUndivided(const vtkRenderState* state)
     return "";
   }
   vtkRenderState others(state->GetRenderer());
-  vtkTranslucencySetProps(others, this->Others);
-  others.SetFrameBuffer(state->GetFrameBuffer());
-  others.SetRequiredKeys(state->GetRequiredKeys());
+  vtkTranslucencySetProps(others, this->Others, state);
   this->Pass->Render(&others);
   if (this->Pass->GetNumberOfRenderedProps() == 0)
   {

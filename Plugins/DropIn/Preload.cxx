@@ -113,8 +113,6 @@ public:
 private:
   DropIn() = default;
 
-  ~DropIn() = default;
-
   void Load(const void* caller)
   {
     using GetText = const char* (*)();

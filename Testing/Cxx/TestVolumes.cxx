@@ -112,6 +112,14 @@ void AddSheet(vtkRenderer* renderer, const Sheet& sheet)
     source->GetOutput(), { { sheet.Rgb[0], sheet.Rgb[1], sheet.Rgb[2] } }, sheet.Alpha));
 }
 
+void AddSheets(vtkRenderer* renderer)
+{
+  for (const Sheet& sheet : Sheets)
+  {
+    AddSheet(renderer, sheet);
+  }
+}
+
 // Through the middle.
 void AddOpaque(vtkRenderer* renderer)
 {
@@ -240,10 +248,7 @@ TEST_P(TestVolumes, AddedInAnyOrderGiveTheSamePicture)
     {
       view.Renderer->AddViewProp(volume);
     }
-    for (const Sheet& sheet : Sheets)
-    {
-      AddSheet(view.Renderer, sheet);
-    }
+    AddSheets(view.Renderer);
     if (!volumeFirst)
     {
       view.Renderer->AddViewProp(volume);
@@ -403,10 +408,7 @@ TEST_F(TestVolume, StandsInAViewportAsInAWindow)
   {
     renderer->AddViewProp(NewCloud(NewRayCaster(0.01)));
     AddOpaque(renderer);
-    for (const Sheet& sheet : Sheets)
-    {
-      AddSheet(renderer, sheet);
-    }
+    AddSheets(renderer);
   }
   alone.SetPass(passAlone);
   left->SetPass(passOfLeft);
@@ -441,10 +443,7 @@ TEST_F(TestVolume, ThatCantBeDividedIsDrawnOverTheSurfacesWithAWarning)
   {
     VolumeView view;
     view.Renderer->AddViewProp(NewCloud(mapper));
-    for (const Sheet& sheet : Sheets)
-    {
-      AddSheet(view.Renderer, sheet);
-    }
+    AddSheets(view.Renderer);
     vtkNew<vtkABufferPass> inAChain;
     view.SetTranslucentPass(inAChain);
     const Picture over = view.Render();
@@ -466,11 +465,7 @@ TEST_F(TestVolume, LeavesTheStateOfOpenGLAsItWas)
 {
   VolumeView view;
   view.Renderer->AddViewProp(NewCloud(NewRayCaster(0.01)));
-  for (const Sheet& sheet : Sheets)
-  {
-    AddSheet(view.Renderer, sheet);
-  }
-  GLState before;
+  AddSheets(view.Renderer);
   class Spy : public vtkRenderPass
   {
   public:

@@ -13,8 +13,6 @@ import subprocess
 import sys
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkImagingCore import vtkImageShiftScale
-from vtkmodules.vtkImagingMath import vtkImageMathematics
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 # Those that ask for depth peeling, draw without the data that VTK's tests download, and end by themselves.

@@ -10,9 +10,7 @@
 // Gives: startSegments, nextSegment(front, back), startRay(front, back), storeSegment(color).
 #ifndef GatherVolume_glsl
 #define GatherVolume_glsl
-#include "Common/Fragment.glsl"
-#include "Common/Samples.glsl"
-#include "Storage/Selected.glsl"
+#include "Common/Gather.glsl"
 
 #define NO_FRAGMENT 0u
 
@@ -58,12 +56,18 @@ bool nextSegment(out float front, out float back)
   return found;
 }
 
-// Samples between the ray's first one and a window depth.
+// How far along the ray a position lies, in samples from the first one.
+float samplesTo(vec3 position)
+{
+  return dot(position - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep);
+}
+
+// The same of a window depth.
 float samplesBefore(float depth)
 {
   vec4 point = ip_inverseTextureDataAdjusted * in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix * in_inverseProjectionMatrix *
     WindowToNDC(gl_FragCoord.x, gl_FragCoord.y, depth);
-  return dot(point.xyz / point.w - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep);
+  return samplesTo(point.xyz / point.w);
 }
 
 // Puts the ray caster at the first sample of a segment. False if no sample lies in it.
@@ -78,11 +82,11 @@ bool startRay(float front, float back)
   g_dataPos = g_rayOrigin + first * g_dirStep;
   g_currentT = 0.0;
 #if RAY_MEETS_PLANE
-  float plane = dot(g_intersection - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep);
+  float plane = samplesTo(g_intersection);
   return plane >= first && (segmentBefore == NO_FRAGMENT || plane < ceil(samplesBefore(back)));
 #else
   // Of the ray's last segment the ray caster knows the end: what is opaque, a clipping plane, or the volume's far side.
-  float toEnd = dot(g_rayTermination - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep) - first;
+  float toEnd = samplesTo(g_rayTermination) - first;
   float samples = segmentBefore == NO_FRAGMENT ? toEnd + 1.0 : min(ceil(samplesBefore(back)) - first, toEnd + 1.0);
   g_terminatePointMax = samples - 1.0; // it takes a sample before it looks
   // The ray caster takes the first sample of a ray without looking, too.
@@ -97,13 +101,9 @@ void storeSegment(vec4 color)
 {
   if (color.a > 0.0)
   {
-    uint coverage = ALL_SAMPLES;
-#if SAMPLES > 1
-    coverage &= uint(gl_SampleMaskIn[0]);
-#endif
     vec4 straight = vec4(color.rgb / color.a, min(color.a, 1.0));
     insertFragment(ivec2(gl_FragCoord.xy), segmentAfter,
-      Fragment(0.5 * (segmentFront + segmentBack), packColor(straight), coverage));
+      Fragment(0.5 * (segmentFront + segmentBack), packColor(straight), coveredSamples()));
   }
 }
 
