@@ -51,7 +51,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
     "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack",
     "GL_ARB_shading_language_packing", "GL_ARB_shader_bit_encoding", "GL_ARB_gpu_shader5",
     "GL_ARB_clear_buffer_object" });
-  result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
+  result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage", "GL_ARB_sample_shading" });
   if (result.MissingForStorage.empty())
   {
     GLint64 bytes = 0;
@@ -75,7 +75,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
       " pixels (its largest have " + std::to_string(points[1]) + ")";
   }
 
-  result.KeepsDrawOrder = llvmpipe || result.Renderer.find("softpipe") != std::string::npos;
+  result.Software = llvmpipe || result.Renderer.find("softpipe") != std::string::npos;
+  result.KeepsDrawOrder = result.Software;
 
   GLint kib[4] = { 0, 0, 0, 0 };
   if (extensions.count("GL_NVX_gpu_memory_info"))

@@ -20,6 +20,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// What coverage masks need and the driver lacks, in the same way.
   std::string MissingForSamples;
 
+  /// True for Mesa's software rasterizers, where a test that the hardware of a GPU does for nothing takes its time.
+  bool Software = false;
+
   /// True if fragments of one pixel reach their shader's side effects in the order in which they were drawn. Software
   /// rasterizers bin primitives into tiles and shade each tile in order by one thread; GPUs do not promise it.
   bool KeepsDrawOrder = false;

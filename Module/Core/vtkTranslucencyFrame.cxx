@@ -191,7 +191,6 @@ void vtkTranslucencyFrame::UseTile()
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(this->Tile[0], this->Tile[1], this->Tile[2], this->Tile[3]);
-  glDisable(GL_SAMPLE_MASK); // of the sample that was resolved last
 }
 
 //------------------------------------------------------------------------------
@@ -255,15 +254,56 @@ void vtkTranslucencyFrame::UseWholeViewportIfItFits()
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyFrame::DrawVertices(unsigned int primitive, int count)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  if (kept.VertexArray == 0)
+  {
+    glGenVertexArrays(1, &kept.VertexArray);
+  }
+  glBindVertexArray(kept.VertexArray);
+  glDrawArrays(primitive, 0, count);
+}
+
+//------------------------------------------------------------------------------
+// A software rasterizer spends a fifth of a multi-sampled gather on the depth test: worth asking whether the depth buffer holds
+// anything, in this tile, that could hide a fragment.
+bool vtkTranslucencyFrame::NeedsDepthTest()
+{
+  if (this->Samples == 1 || !this->Pass->Internal->Capabilities.Software)
+  {
+    return true;
+  }
+  vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", "Common/DepthOnly.glsl", {});
+  if (!program)
+  {
+    return true;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglDepthFunc function(state);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_GREATER); // passes where something lies before the far plane
+  GLuint query = 0;
+  GLuint passed = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
+  this->DrawVertices(GL_TRIANGLES, 3);
+  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
+  glDeleteQueries(1, &query);
+  return passed != 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyFrame::PrepareDrawing()
 {
   vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDisable(GL_BLEND);
   // Without, there is one fragment a pixel and primitive, if the primitive covers the pixel's centre.
   state->SetEnumState(GL_MULTISAMPLE, this->Samples > 1);
+  state->SetEnumState(GL_DEPTH_TEST, this->NeedsDepthTest());
 }
 
 //------------------------------------------------------------------------------
@@ -371,8 +411,8 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkTranslucencyFrame::PrepareResolve(
-  const std::string& file, const Defines& defines)
+vtkShaderProgram* vtkTranslucencyFrame::PrepareProgram(
+  const std::string& vertexFile, const std::string& file, const Defines& defines)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
@@ -386,7 +426,7 @@ vtkShaderProgram* vtkTranslucencyFrame::PrepareResolve(
   vtkTranslucencyShader fragment;
   vtkTranslucencyShader vertex;
   for (bool ready : { fragment.Assemble(file, defines, this->GetOfferedDefines(), storage),
-         vertex.Assemble("Common/ResolveSquares.glsl", {}, this->GetOfferedDefines(), storage), fragment.Validate(""),
+         vertex.Assemble(vertexFile, {}, this->GetOfferedDefines(), storage), fragment.Validate(""),
          vertex.Validate("", vtkShader::Vertex) })
   {
     if (!ready)
@@ -413,7 +453,7 @@ bool vtkTranslucencyFrame::Resolve(
   const std::string& file, const Defines& defines, const Squares& squares, const Uniforms& uniforms)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  vtkShaderProgram* program = this->PrepareResolve(file, defines);
+  vtkShaderProgram* program = this->PrepareProgram("Common/ResolveSquares.glsl", file, defines);
   if (!program)
   {
     return false;
@@ -451,22 +491,12 @@ bool vtkTranslucencyFrame::Resolve(
   state->vtkglViewport(this->Tile[0], this->Tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
   glEnable(GL_PROGRAM_POINT_SIZE);
   state->SetEnumState(GL_MULTISAMPLE, this->Samples > 1);
-  if (this->Sample >= 0)
-  {
-    glEnable(GL_SAMPLE_MASK);
-    glSampleMaski(0, 1u << this->Sample);
-  }
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  if (kept.VertexArray == 0)
-  {
-    glGenVertexArrays(1, &kept.VertexArray);
-  }
-  glBindVertexArray(kept.VertexArray);
-  glDrawArrays(GL_POINTS, 0, across * down);
+  this->DrawVertices(GL_POINTS, across * down);
   kept.Resolved.reset();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
@@ -495,6 +525,10 @@ void vtkTranslucencyFrame::SetSample(int sample, int among)
 //------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::ReserveSampleColors()
 {
+  if (this->Samples == 1)
+  {
+    return true;
+  }
   vtkTranslucencyBuffer& colors = this->Pass->Internal->SampleColors;
   constexpr vtkTypeInt64 colorBytes = 8;
   const vtkTypeInt64 before = colors.GetBytes();
@@ -513,14 +547,8 @@ bool vtkTranslucencyFrame::ReserveSampleColors()
 //------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::CompositeSamples()
 {
-  bool drawn = true;
-  for (int sample = 0; sample < this->Samples && drawn; ++sample)
-  {
-    this->SetSample(sample);
-    drawn = this->Resolve("Common/CompositeSamples.glsl", {}, Squares::LeftTo(LEVEL_SAMPLES));
-  }
   this->SetSample(WholePixel);
-  return drawn;
+  return this->Resolve("Common/CompositeSamples.glsl", {}, Squares::LeftTo(LEVEL_SAMPLES));
 }
 
 //------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ public:
   /// Makes room for the colours of the tile's samples that a resolve stores (Shaders/Common/SampleColors.glsl).
   bool ReserveSampleColors();
 
-  /// Blends them over the opaque picture.
+  /// Blends them over the opaque picture, all samples in one pass.
   bool CompositeSamples();
 
   /// Runs a resolve shader over squares of the current tile and blends what it gives over the opaque picture. The storage last
@@ -106,11 +106,14 @@ private:
   void UseWholeViewportIfItFits();
   void UseTile();
   void CutTile(int parts);
+  bool NeedsDepthTest();
   void PrepareDrawing();
+  void DrawVertices(unsigned int primitive, int count);
   void DrawGeometry();
   bool DrawVolumes();
   bool PrepareGather();
-  vtkShaderProgram* PrepareResolve(const std::string& file, const Defines& defines);
+  vtkShaderProgram* PrepareProgram(
+    const std::string& vertexFile, const std::string& file, const Defines& defines);
 
   vtkTranslucencyPass* Pass;
   const vtkRenderState* State;

@@ -23,8 +23,6 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bo
   state->vtkglGetFloatv(GL_COLOR_CLEAR_VALUE, this->ClearColor.data());
   glGetFloatv(GL_POINT_SIZE, &this->PointSize);
   this->ProgramPointSize = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
-  this->SampleMask = glIsEnabled(GL_SAMPLE_MASK) == GL_TRUE;
-  glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &this->SampleMaskValue);
   glGetFloatv(GL_LINE_WIDTH, &this->LineWidth);
   glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
   glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
@@ -100,9 +98,7 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
   {
     state->SetEnumState(saved.first, saved.second);
   }
-  (this->ProgramPointSize ? glEnable : glDisable)(GL_PROGRAM_POINT_SIZE); // the cache doesn't know these
-  (this->SampleMask ? glEnable : glDisable)(GL_SAMPLE_MASK);
-  glSampleMaski(0, static_cast<GLbitfield>(this->SampleMaskValue));
+  (this->ProgramPointSize ? glEnable : glDisable)(GL_PROGRAM_POINT_SIZE); // the cache doesn't know it
   // The cache must forget its program before ours is put back behind its back.
   this->Window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Program));

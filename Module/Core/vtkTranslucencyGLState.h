@@ -48,8 +48,6 @@ private:
   std::array<float, 4> ClearColor;
   float PointSize;
   bool ProgramPointSize;
-  bool SampleMask;
-  int SampleMaskValue;
   float LineWidth;
   unsigned char DepthMask;
   int DepthFunction;

@@ -25,7 +25,8 @@ const char* vtkTranslucencyShader::GetExtensions()
          "#extension GL_ARB_shading_language_packing : require\n"
          "#extension GL_ARB_shader_bit_encoding : require\n"
          "#extension GL_ARB_gpu_shader5 : require\n" // gl_SampleMaskIn
-         "#extension GL_ARB_post_depth_coverage : enable\n";
+         "#extension GL_ARB_post_depth_coverage : enable\n"
+         "#extension GL_ARB_sample_shading : enable\n"; // gl_SampleID
 }
 
 //------------------------------------------------------------------------------

@@ -83,48 +83,18 @@ std::string vtkFragmentListPass::LevelText(int level)
 //------------------------------------------------------------------------------
 bool vtkFragmentListPass::RenderStages(vtkTranslucencyFrame& frame)
 {
-  this->LargestBlock = 0;
-  if (!frame.Gather(this->Storage) || !this->ResolveLists(frame))
-  {
-    return false;
-  }
-  return frame.GetSamples() == 1 || !frame.IsLeftTo(LEVEL_SAMPLES) ||
-    (this->ResolveShortSamples(frame) && this->ResolveEachSample(frame));
-}
-
-//------------------------------------------------------------------------------
-bool vtkFragmentListPass::ResolveShortSamples(vtkTranslucencyFrame& frame)
-{
-  if (this->LargestBlock == 0)
-  {
-    return true;
-  }
-  frame.SetSample(vtkTranslucencyFrame::WholePixel, LEVEL_SAMPLES);
-  bool drawn = frame.ReserveSampleColors();
-  vtkTranslucencyFrame::Squares squares{ ShortSamples, 0, 0 };
-  for (int size = 8; size <= this->LargestBlock && drawn; size *= 2)
-  {
-    const bool last = size == this->LargestBlock;
-    squares.Most = last ? VTK_INT_MAX : size;
-    drawn = frame.Resolve("ABuffer/ResolveSamples.glsl",
-      { { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "1" },
-        { "LONGER_LEVEL", LevelText(last ? LEVEL_EACH_SAMPLE : squares.Level + 1) } },
-      squares);
-    ++squares.Level;
-    squares.Fewer = size;
-  }
-  return drawn && frame.CompositeSamples();
+  return frame.Gather(this->Storage) && frame.ReserveSampleColors() && this->ResolveLists(frame) &&
+    (!frame.IsLeftTo(LEVEL_EACH_SAMPLE) || this->ResolveEachSample(frame)) &&
+    (!frame.IsLeftTo(LEVEL_SAMPLES) || frame.CompositeSamples());
 }
 
 //------------------------------------------------------------------------------
 bool vtkFragmentListPass::ResolveEachSample(vtkTranslucencyFrame& frame)
 {
-  const int left = this->LargestBlock == 0 ? LEVEL_SAMPLES : LEVEL_EACH_SAMPLE;
   bool drawn = true;
-  const int samples = frame.IsLeftTo(left) ? frame.GetSamples() : 0;
-  for (int sample = 0; sample < samples && drawn; ++sample)
+  for (int sample = 0; sample < frame.GetSamples() && drawn; ++sample)
   {
-    frame.SetSample(sample, left);
+    frame.SetSample(sample, LEVEL_EACH_SAMPLE);
     drawn = this->ResolveLists(frame);
   }
   return drawn;

@@ -43,8 +43,7 @@ protected:
     TechniqueMore = 4,    // for pixels that it leaves to itself
     ShortEqualDepths = 5, // short lists with fragments of equal depth
     Runs = 6,             // up to 256 fragments, exactly
-    Long = 7,             // any number of fragments, exactly
-    ShortSamples = 8      // short lists of which the samples differ: 8, 9, 10
+    Long = 7              // any number of fragments, exactly
   };
 
   /**
@@ -77,10 +76,9 @@ protected:
   vtkSmartPointer<vtkFragmentStorage> Storage;
 
 private:
-  bool ResolveShortSamples(vtkTranslucencyFrame& frame);
   bool ResolveEachSample(vtkTranslucencyFrame& frame);
 
-  int LargestBlock = 0; // of the short lists in this tile, 0 if the technique has none
+  int LargestBlock = 0; // of the short lists in this tile
 
   vtkFragmentListPass(const vtkFragmentListPass&) = delete;
   void operator=(const vtkFragmentListPass&) = delete;

@@ -6,11 +6,15 @@
 #define Blend_glsl
 #include "Common/Fragment.glsl"
 
-void blendBehind(inout vec3 color, inout float transmittance, uvec2 words)
+void blendBehind(inout vec3 color, inout float transmittance, vec4 fragment)
 {
-  vec4 fragment = unpackColor(words);
   color += transmittance * fragment.a * fragment.rgb;
   transmittance *= 1.0 - fragment.a;
+}
+
+void blendBehind(inout vec3 color, inout float transmittance, uvec2 words)
+{
+  blendBehind(color, transmittance, unpackColor(words));
 }
 
 #endif

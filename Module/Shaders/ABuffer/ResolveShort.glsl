@@ -3,7 +3,9 @@
 // Longer lists are left to LONGER_LEVEL, and with EQUAL_DEPTHS 0 those with fragments of equal depth to EQUAL_DEPTHS_LEVEL, which
 // is this shader with EQUAL_DEPTHS 1.
 //
-// Needs: BLOCK_SIZE, EQUAL_DEPTHS, LONGER_LEVEL, EQUAL_DEPTHS_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
+// Where fragments cover only some samples of a pixel, its list is read and sorted once, and blended once a sample.
+//
+// Needs: BLOCK_SIZE, EQUAL_DEPTHS, LONGER_LEVEL, EQUAL_DEPTHS_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER, SAMPLES.
 #ifndef LONGER_LEVEL
 #error "ABuffer/ResolveShort.glsl needs LONGER_LEVEL"
 #endif
@@ -12,9 +14,43 @@
 #endif
 #include "ABuffer/Blend.glsl"
 #include "ABuffer/LoadBlock.glsl"
-#include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
+#if SAMPLES > 1
+#include "Common/SampleColors.glsl"
+
+// A loop that ends after its first round: compilers for a CPU turn an if into arithmetic, which would take its time in pixels of which all
+// samples agree, too.
+void blendSamples(ivec2 pixel, Block block)
+{
+  bool differ = !samplesAgree();
+  while (differ)
+  {
+    vec3 color[SAMPLES];
+    float transmittance[SAMPLES];
+    for (int index = 0; index < SAMPLES; ++index)
+    {
+      color[index] = vec3(0.0);
+      transmittance[index] = 1.0;
+    }
+    for (int i = 0; i < BLOCK_SIZE; ++i)
+    {
+      vec4 fragment = unpackColor(block.color[i]);
+      for (int index = 0; index < SAMPLES; ++index)
+      {
+        bool covers = ((block.carried[i] >> uint(index)) & 1u) != 0u;
+        blendBehind(color[index], transmittance[index], vec4(fragment.rgb, covers ? fragment.a : 0.0));
+      }
+    }
+    for (int index = 0; index < SAMPLES; ++index)
+    {
+      storeSample(pixel, index, vec4(color[index], 1.0 - transmittance[index]));
+    }
+    leaveToLevel(pixel, LEVEL_SAMPLES);
+    differ = false;
+  }
+}
+#endif
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 {
@@ -39,7 +75,11 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   {
     blendBehind(color, transmittance, block.color[i]); // an empty element is transparent
   }
-  finishPixel(pixel, count);
+#if SAMPLES > 1
+  blendSamples(pixel, block);
+#endif
+  recordFragments(count);
+  dropFragments(pixel);
   return count > 0u;
 }
 

@@ -10,8 +10,8 @@
 #define STORAGE_BINDINGS 5
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
-#define LEVEL_SAMPLES 31  // pixels whose samples differ, see Samples.glsl
-#define LEVEL_EACH_SAMPLE 30 // those of them that are resolved sample by sample
+#define LEVEL_SAMPLES 31  // pixels whose samples differ and wait in SampleColors.glsl
+#define LEVEL_EACH_SAMPLE 30 // pixels whose samples differ and are resolved one by one, see Samples.glsl
 
 #define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
 #define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout

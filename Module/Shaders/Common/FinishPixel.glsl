@@ -7,13 +7,17 @@
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
-// All count fragments of the pixel have been composited. They stay where its samples have to be resolved one by one.
+// All count fragments of the pixel have been composited, which is of no use if its samples differ: then they are resolved one by one.
 void finishPixel(ivec2 pixel, uint count)
 {
   recordFragments(count);
   if (samplesAgree())
   {
     dropFragments(pixel);
+  }
+  else
+  {
+    leaveToLevel(pixel, LEVEL_EACH_SAMPLE);
   }
 }
 

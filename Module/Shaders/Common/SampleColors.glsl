@@ -21,6 +21,7 @@ uint sampleIndex(ivec2 pixel, int index)
   return uint((at.y * frameTile.z + at.x) * SAMPLES + index);
 }
 
+#if SAMPLES > 1
 void storeSample(ivec2 pixel, int index, vec4 color)
 {
   sampleColors[sampleIndex(pixel, index)] = packHalves(color);
@@ -33,5 +34,6 @@ vec4 takeSample(ivec2 pixel, int index)
   sampleColors[at] = uvec2(0u);
   return color;
 }
+#endif
 
 #endif

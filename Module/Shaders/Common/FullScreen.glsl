@@ -1,0 +1,9 @@
+// FullScreen.glsl: a vertex shader: one triangle that covers the viewport, at the far plane.
+//
+// Needs: nothing.  Gives: main; three vertices, from gl_VertexID alone.
+
+void main()
+{
+  vec2 corner = vec2((gl_VertexID & 1) * 2, (gl_VertexID >> 1) * 2);
+  gl_Position = vec4(2.0 * corner - 1.0, 1.0, 1.0);
+}
