@@ -50,8 +50,13 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   result.MissingForStorage = missing({ "GL_ARB_shader_storage_buffer_object",
     "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack",
     "GL_ARB_shading_language_packing", "GL_ARB_shader_bit_encoding", "GL_ARB_gpu_shader5",
-    "GL_ARB_clear_buffer_object" });
-  result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage", "GL_ARB_sample_shading" });
+    "GL_ARB_sample_shading", "GL_ARB_clear_buffer_object" });
+  result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
+  for (const char* name : { "GL_INTEL_fragment_shader_ordering", "GL_NV_fragment_shader_interlock",
+         "GL_ARB_fragment_shader_interlock" })
+  {
+    result.Interlock = extensions.count(name) > 0 ? name : result.Interlock; // the last one is the standard's
+  }
   if (result.MissingForStorage.empty())
   {
     GLint64 bytes = 0;
@@ -89,4 +94,16 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   }
   result.ReportedMemoryMiB = kib[0] / 1024.0;
   return result;
+}
+
+//------------------------------------------------------------------------------
+double vtkTranslucencyCapabilities::GetLimitBytes(double mebibytes) const
+{
+  constexpr double MiB = 1024.0 * 1024.0;
+  constexpr double Default = 2048;
+  if (mebibytes > 0)
+  {
+    return mebibytes * MiB;
+  }
+  return (this->ReportedMemoryMiB > 0 ? this->ReportedMemoryMiB / 4 : Default) * MiB;
 }

@@ -20,6 +20,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// What coverage masks need and the driver lacks, in the same way.
   std::string MissingForSamples;
 
+  /// The extension by which a fragment shader can have a pixel to itself, in the order of drawing; empty if the driver has none.
+  std::string Interlock;
+
   /// True for Mesa's software rasterizers, where a test that the hardware of a GPU does for nothing takes its time.
   bool Software = false;
 
@@ -34,6 +37,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
 
   /// Graphics memory as the driver reports it (NVX_gpu_memory_info, ATI_meminfo), in MiB; 0 if it does not.
   double ReportedMemoryMiB = 0;
+
+  /// Bytes that may be taken where the user has given a limit in MiB, or 0: then a quarter of what the driver reports, or 2 GiB.
+  double GetLimitBytes(double mebibytes) const;
 
   /// The driver's own words, GL_RENDERER.
   std::string Renderer;

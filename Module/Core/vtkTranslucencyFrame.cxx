@@ -4,18 +4,24 @@
 #include "vtkFragmentStorage.h"
 #include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyInternals.h"
+#include "vtkTranslucencyPixels.h"
 #include "vtkTranslucencyShader.h"
+#include "vtkTranslucencyTargets.h"
 #include "vtkTranslucencyVTKVersion.h"
 
+#include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <chrono>
+#include <regex>
 
 // Adds a scope's time to a sum, if asked to. Waits for the GPU at both ends: timer queries are not kept in order with the
 // drawing by every driver.
@@ -49,6 +55,52 @@ private:
   Clock::time_point Start;
 };
 
+// Binds what a stage reads to texture units of its own, and puts back what was bound there.
+class vtkTranslucencyFrame::ScopedInputs
+{
+public:
+  ScopedInputs(vtkOpenGLRenderWindow* window, const std::vector<Input>& inputs)
+    : Window(window)
+  {
+    for (const Input& input : inputs)
+    {
+      const bool several = input.From->GetTarget() == GL_TEXTURE_2D_MULTISAMPLE;
+      Bound bound{ window->GetTextureUnitManager()->Allocate(), input.From->GetTarget(), 0 };
+      window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + bound.Unit));
+      glGetIntegerv(several ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &bound.Before);
+      glBindTexture(bound.Target, input.From->GetTexture(input.Index));
+      this->Textures.push_back(bound);
+      this->Units[input.Sampler] = bound.Unit;
+    }
+  }
+  ~ScopedInputs()
+  {
+    for (const Bound& bound : this->Textures)
+    {
+      this->Window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + bound.Unit));
+      glBindTexture(bound.Target, static_cast<GLuint>(bound.Before));
+      this->Window->GetTextureUnitManager()->Free(bound.Unit);
+    }
+  }
+  ScopedInputs(const ScopedInputs&) = delete;
+  ScopedInputs& operator=(const ScopedInputs&) = delete;
+
+  /// By the names of the samplers.
+  const Uniforms& GetUnits() const { return this->Units; }
+
+private:
+  struct Bound
+  {
+    int Unit;
+    unsigned int Target;
+    int Before;
+  };
+
+  vtkOpenGLRenderWindow* Window;
+  std::vector<Bound> Textures;
+  Uniforms Units;
+};
+
 namespace
 {
 using Rectangle = vtkTranslucencyFrame::Rectangle;
@@ -75,6 +127,27 @@ vtkTypeInt64 GetStatisticsBytes(const Rectangle& tile)
 {
   return StatisticsBytes +
     static_cast<vtkTypeInt64>(sizeof(unsigned int)) * SquaresAcross(tile[2]) * SquaresAcross(tile[3]);
+}
+
+// What goes into a mapper's shader where it has shaded a fragment; GATHERED_DEPTH stands for its depth.
+std::string GatherCall(int outputs, bool critical)
+{
+  std::string call = "gatherFragment(gl_FragData[0], GATHERED_DEPTH);\n";
+  if (outputs > 0)
+  {
+    call = "vec4 gatherOutputs[" + std::to_string(outputs) +
+      "];\ngatherFragment(gl_FragData[0], GATHERED_DEPTH, gatherOutputs);\n";
+  }
+  if (critical)
+  {
+    call = "BEGIN_CRITICAL_SECTION\n" + call + "END_CRITICAL_SECTION\n";
+  }
+  for (int i = 0; i < outputs; ++i)
+  {
+    const std::string index = "[" + std::to_string(i) + "]";
+    call += "gl_FragData" + index + " = gatherOutputs" + index + ";\n";
+  }
+  return call;
 }
 
 // What a shader is made from, as one string.
@@ -119,6 +192,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   kept.OpaqueDepthCaptured = false;
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
+  this->TargetSamples = std::max(1, samples);
   std::string missing = kept.Capabilities.MissingForSamples;
   if (samples > MostSamples)
   {
@@ -141,6 +215,27 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   kept.StatisticsBlock.Reserve(GetStatisticsBytes(this->Drawn));
   kept.StatisticsBlock.Clear(StatisticsBytes);
   kept.Resolved.reset();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms)
+{
+  for (const auto& uniform : uniforms)
+  {
+    const char* name = uniform.first.c_str();
+    if (!program->IsUniformUsed(name))
+    {
+      continue;
+    }
+    if (const int* integer = std::get_if<int>(&uniform.second))
+    {
+      program->SetUniformi(name, *integer);
+    }
+    else
+    {
+      program->SetUniformf(name, std::get<float>(uniform.second));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +264,7 @@ void vtkTranslucencyFrame::CutTile(int parts)
   const int axis = this->Tile[3] > 1 ? 1 : 0;
   const int length = this->Tile[2 + axis];
   parts = std::min(parts, length);
+  this->Cut = true;
   for (int part = parts - 1; part >= 0; --part)
   {
     const int from = static_cast<int>(static_cast<vtkTypeInt64>(length) * part / parts);
@@ -186,7 +282,19 @@ void vtkTranslucencyFrame::CutTile(int parts)
 void vtkTranslucencyFrame::UseTile()
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  kept.FrameBlock.Upload(this->Tile.data(), sizeof(this->Tile));
+  struct
+  {
+    Rectangle Tile;
+    std::array<float, 4> Clipping;
+  } block{ this->Tile, { { 1, 1, 0, 0 } } };
+  vtkCamera* camera = this->State->GetRenderer()->GetActiveCamera();
+  if (!camera->GetParallelProjection())
+  {
+    const double* range = camera->GetClippingRange();
+    block.Clipping[0] = static_cast<float>(range[0]);
+    block.Clipping[1] = static_cast<float>(range[1]);
+  }
+  kept.FrameBlock.Upload(&block, sizeof(block));
   kept.FrameBlock.BindUniform(UNIFORM_BINDING_FRAME);
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
@@ -202,10 +310,23 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() con
     offered = this->Storage->GetDefines();
   }
   offered["SAMPLES"] = std::to_string(this->Samples);
+  offered["TARGET_SAMPLES"] = std::to_string(this->TargetSamples);
   offered["FRAGMENT_ORDER"] = this->Pass->Internal->Capabilities.KeepsDrawOrder
     ? "FRAGMENT_ORDER_DRAWN"
     : "FRAGMENT_ORDER_CONTENT";
   return offered;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkTranslucencyFrame::GetSelection() const
+{
+  std::map<std::string, std::string> selection{ { "CriticalSection",
+    this->Pass->GetSelectedCriticalSection(this->Pass->Internal->Capabilities) } };
+  if (this->Storage)
+  {
+    selection["Storage"] = this->Storage->GetShaderName();
+  }
+  return selection;
 }
 
 //------------------------------------------------------------------------------
@@ -224,19 +345,54 @@ bool vtkTranslucencyFrame::PrepareGather()
   }
   vtkTranslucencyShader shader;
   if (!shader.Assemble(
-        "Common/Gather.glsl", {}, this->GetOfferedDefines(), this->Storage->GetShaderName()) ||
+        "Common/Gather.glsl", {}, this->GetOfferedDefines(), this->GetSelection()) ||
     !shader.Validate("void main() { gatherFragment(vec4(1.0), 0.5); }\n"))
   {
     return this->Fail(shader.GetError());
   }
   vtkTranslucencyShader volumes; // compiled with the ray caster only: it declares what that one has
-  if (!volumes.Assemble("Common/GatherVolume.glsl", {}, this->GetOfferedDefines(), this->Storage->GetShaderName()))
+  if (!volumes.Assemble("Common/GatherVolume.glsl", {}, this->GetOfferedDefines(), this->GetSelection()))
   {
     return this->Fail(volumes.GetError());
   }
   kept.GatherKey = key;
   kept.GatherText = shader.GetText();
+  kept.GatherCall = GatherCall(0, false);
+  kept.GatherStores = true;
   kept.Volumes.SetGatherText(volumes.GetText());
+  kept.GatherTextTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  const std::string key =
+    Key(gathering.File, gathering.Values, this->GetOfferedDefines()) + Key("", this->GetSelection(), {});
+  if (key == kept.GatherKey)
+  {
+    return true;
+  }
+  const std::string call = GatherCall(gathering.Outputs, gathering.Critical);
+  // Alone, the text has no declarations of what VTK's shaders write.
+  std::string main = std::regex_replace(call, std::regex("gl_FragData\\[(\\d+)\\]"), "fragOutput$1");
+  main = std::regex_replace(main, std::regex("GATHERED_DEPTH"), "0.5");
+  std::string outputs = "out vec4 fragOutput0;\n";
+  for (int i = 1; i < gathering.Outputs; ++i)
+  {
+    outputs += "out vec4 fragOutput" + std::to_string(i) + ";\n";
+  }
+  vtkTranslucencyShader shader;
+  if (!shader.Assemble(gathering.File, gathering.Values, this->GetOfferedDefines(), this->GetSelection()) ||
+    !shader.Validate(outputs + "void main() { fragOutput0 = vec4(1.0); " + main + " }\n"))
+  {
+    return this->Fail(shader.GetError());
+  }
+  kept.GatherKey = key;
+  kept.GatherText = shader.GetText();
+  kept.GatherCall = call;
+  kept.GatherStores = gathering.Critical;
   kept.GatherTextTime.Modified();
   return true;
 }
@@ -244,9 +400,17 @@ bool vtkTranslucencyFrame::PrepareGather()
 //------------------------------------------------------------------------------
 void vtkTranslucencyFrame::UseWholeViewportIfItFits()
 {
-  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  if (this->Waiting.size() > 0 && kept.Plan.empty() &&
-    this->Storage->Fits(this->LastFragments, this->Drawn, kept.Capabilities))
+  if (this->Storage->Fits(this->LastFragments, this->Drawn, this->Pass->Internal->Capabilities))
+  {
+    this->UseWholeViewport();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Forgets the tiles of the frame before, if nothing of this one has been drawn yet.
+void vtkTranslucencyFrame::UseWholeViewport()
+{
+  if (this->Waiting.size() > 0 && this->Pass->Internal->Plan.empty() && !this->Cut)
   {
     this->Waiting.clear();
     this->Tile = this->Drawn;
@@ -307,11 +471,24 @@ void vtkTranslucencyFrame::PrepareDrawing()
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyFrame::DrawGeometry()
+void vtkTranslucencyFrame::DrawGeometry(const Blending* blending)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
   this->PrepareDrawing();
+  if (blending)
+  {
+    vtkOpenGLState* state = this->Window->GetState();
+    const bool attenuates = *blending == Blending::AddAndAttenuate;
+    state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendEquation(*blending == Blending::Minimum ? GL_MIN
+        : *blending == Blending::Maximum                     ? GL_MAX
+                                                             : GL_FUNC_ADD);
+    state->vtkglBlendFuncSeparate(
+      GL_ONE, GL_ONE, attenuates ? GL_ZERO : GL_ONE, attenuates ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+  }
   if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
   {
     kept.OpaqueDepth->Activate();
@@ -411,13 +588,134 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit)
+{
+  using Size = vtkTranslucencyPixels::Size;
+  this->UseWholeViewport();
+  const vtkTranslucencyCapabilities& capabilities = this->Pass->Internal->Capabilities;
+  const bool locks = this->GetSelection().at("CriticalSection") == "Spinlock";
+  const auto limit = static_cast<vtkTypeInt64>(capabilities.GetLimitBytes(memoryLimit));
+  for (;;)
+  {
+    const Size size = vtkTranslucencyPixels::GetSize(this->Tile, this->Samples, words, locks);
+    const vtkTypeInt64 parts = std::max((size.Sum() + limit - 1) / limit,
+      (size.Records + capabilities.MaximumBlockBytes - 1) / capabilities.MaximumBlockBytes);
+    const bool smallest = this->Tile[2] * this->Tile[3] == 1;
+    if (parts <= 1 || smallest)
+    {
+      if (size.Sum() > limit)
+      {
+        return this->Fail("a memory limit of " + std::to_string(limit) + " bytes is too small, expected at least " +
+          std::to_string(size.Sum()) + " bytes for a pixel and its neighbours");
+      }
+      if (pixels.Begin(size))
+      {
+        this->UseTile();
+        return true;
+      }
+      if (smallest)
+      {
+        return this->Fail("the driver has no memory for the records of one pixel");
+      }
+    }
+    this->CutTile(static_cast<int>(std::clamp<vtkTypeInt64>(parts, 2, this->Tile[2] * this->Tile[3])));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats)
+{
+  this->UseWholeViewport();
+  std::vector<vtkTranslucencyTargets::Format> floats;
+  for (int format : formats)
+  {
+    floats.push_back(static_cast<vtkTranslucencyTargets::Format>(format));
+  }
+  if (!targets.Reserve(this->Drawn[0] + this->Drawn[2], this->Drawn[1] + this->Drawn[3], this->TargetSamples, floats))
+  {
+    return this->Fail("the driver has no memory for floating-point colours");
+  }
+  this->UseTile();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  if (!this->PrepareGather(gathering))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  if (stage.Targets)
+  {
+    const std::string obstacle = stage.Targets->Bind(this->Window);
+    if (!obstacle.empty())
+    {
+      return this->Fail(obstacle);
+    }
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    stage.Targets->Clear(stage.Clear);
+  }
+  {
+    const ScopedInputs inputs(this->Window, stage.Inputs);
+    kept.GatherUniforms = stage.Values;
+    kept.GatherUniforms["gatherStage"] = stage.Number;
+    kept.GatherUniforms.insert(inputs.GetUnits().begin(), inputs.GetUnits().end());
+    kept.GatherError.clear();
+    this->DrawGeometry(stage.Targets ? &stage.Blend : nullptr);
+  }
+  if (stage.Targets)
+  {
+    stage.Targets->Unbind();
+  }
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return kept.GatherError.empty() || this->Fail(kept.GatherError);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::Composite(const std::string& file, const Defines& defines,
+  const std::vector<Input>& inputs, const Uniforms& uniforms)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, defines);
+  if (!program)
+  {
+    return false;
+  }
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
+  this->UseTile();
+  const ScopedInputs bound(this->Window, inputs);
+  SetUniforms(program, uniforms);
+  SetUniforms(program, bound.GetUnits());
+  this->PrepareBlending();
+  this->DrawVertices(GL_TRIANGLES, 3);
+  kept.Plan.insert(kept.Plan.begin(), this->Tile); // this tile is done: the next frame begins with the same ones
+  kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::PrepareBlending()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+//------------------------------------------------------------------------------
 vtkShaderProgram* vtkTranslucencyFrame::PrepareProgram(
   const std::string& vertexFile, const std::string& file, const Defines& defines)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
-  const std::string storage = this->Storage ? this->Storage->GetShaderName() : "";
-  const std::string key = Key(file + " " + storage, defines, this->GetOfferedDefines());
+  const auto selection = this->GetSelection();
+  const std::string key = Key(file, defines, this->GetOfferedDefines()) + Key("", selection, {});
   const auto found = kept.Programs.find(key);
   if (found != kept.Programs.end())
   {
@@ -425,8 +723,8 @@ vtkShaderProgram* vtkTranslucencyFrame::PrepareProgram(
   }
   vtkTranslucencyShader fragment;
   vtkTranslucencyShader vertex;
-  for (bool ready : { fragment.Assemble(file, defines, this->GetOfferedDefines(), storage),
-         vertex.Assemble(vertexFile, {}, this->GetOfferedDefines(), storage), fragment.Validate(""),
+  for (bool ready : { fragment.Assemble(file, defines, this->GetOfferedDefines(), selection),
+         vertex.Assemble(vertexFile, {}, this->GetOfferedDefines(), selection), fragment.Validate(""),
          vertex.Validate("", vtkShader::Vertex) })
   {
     if (!ready)
@@ -481,21 +779,13 @@ bool vtkTranslucencyFrame::Resolve(
     program->SetUniformi("resolveSample", this->Sample);
     program->SetUniformi("resolveAmong", this->Among);
   }
-  for (const auto& uniform : uniforms)
-  {
-    program->SetUniformi(uniform.first.c_str(), uniform.second);
-  }
+  SetUniforms(program, uniforms);
 
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(state);
   state->vtkglViewport(this->Tile[0], this->Tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  state->SetEnumState(GL_MULTISAMPLE, this->Samples > 1);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->PrepareBlending();
   this->DrawVertices(GL_POINTS, across * down);
   kept.Resolved.reset();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -22,6 +22,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 class vtkFragmentStorage;
@@ -29,6 +30,8 @@ class vtkOpenGLRenderWindow;
 class vtkRenderState;
 class vtkTranslucencyGLState;
 class vtkTranslucencyPass;
+class vtkTranslucencyPixels;
+class vtkTranslucencyTargets;
 class vtkShaderProgram;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyFrame
@@ -43,7 +46,56 @@ public:
   bool Gather(vtkFragmentStorage* storage);
 
   using Defines = std::map<std::string, std::string>;
-  using Uniforms = std::map<std::string, int>;
+  using Uniforms = std::map<std::string, std::variant<int, float>>;
+
+  /// What a technique without lists puts into the mappers' shaders. One text serves all stages of a frame, told apart by its uniform
+  /// gatherStage: mappers build their shaders anew when the text changes.
+  struct Gathering
+  {
+    std::string File; ///< gives gatherFragment(color, depth), with Outputs a third parameter: out vec4 outputs[Outputs]
+    Defines Values;
+    int Outputs = 0;       ///< colours that are drawn to targets
+    bool Critical = false; ///< whether it changes records of pixels under a critical section
+  };
+
+  enum class Blending
+  {
+    Add,              ///< all channels
+    AddAndAttenuate,  ///< colour is added, alpha multiplied with 1 - alpha
+    Minimum,
+    Maximum
+  };
+
+  /// A buffer that a stage reads, by the name of the sampler (Shaders/Common/Target.glsl).
+  struct Input
+  {
+    std::string Sampler;
+    const vtkTranslucencyTargets* From;
+    int Index;
+  };
+
+  /// One drawing of the translucent props.
+  struct Stage
+  {
+    int Number = 0;
+    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before; null: no colours
+    Blending Blend = Blending::Add;
+    std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
+    std::vector<Input> Inputs;
+    Uniforms Values;
+  };
+
+  /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
+  bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit);
+
+  /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
+  bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
+
+  /// Draws the translucent props.
+  bool Draw(const Gathering& gathering, const Stage& stage);
+
+  /// Runs a shader (which ends with Shaders/Common/Composite.glsl) over the tile and blends what it gives over the opaque picture.
+  bool Composite(const std::string& file, const Defines& defines, const std::vector<Input>& inputs, const Uniforms& uniforms = {});
 
   /// Which squares of pixels a resolve draws: those in which the storage expects more than Fewer and at most Most fragments
   /// a pixel, and those with pixels that earlier resolves have left to this Level, 0 to 29
@@ -100,18 +152,25 @@ public:
 
 private:
   class ScopedTimer;
+  class ScopedInputs;
 
+  friend class vtkTranslucencyPass;
+  static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
   bool Fail(const std::string& error);
   Defines GetOfferedDefines() const;
   void UseWholeViewportIfItFits();
+  void UseWholeViewport();
   void UseTile();
   void CutTile(int parts);
   bool NeedsDepthTest();
   void PrepareDrawing();
   void DrawVertices(unsigned int primitive, int count);
-  void DrawGeometry();
+  void DrawGeometry(const Blending* blending = nullptr); // of colours that are drawn, null if none are
+  void PrepareBlending();
+  std::map<std::string, std::string> GetSelection() const;
   bool DrawVolumes();
   bool PrepareGather();
+  bool PrepareGather(const Gathering& gathering);
   vtkShaderProgram* PrepareProgram(
     const std::string& vertexFile, const std::string& file, const Defines& defines);
 
@@ -124,6 +183,8 @@ private:
   vtkTypeInt64 LastFragments; // of the frame before, all tiles
   vtkFragmentStorage* Storage = nullptr;
   int Samples = 1; // of a pixel
+  int TargetSamples = 1; // the same, whether or not the driver can tell them apart
+  bool Cut = false; // whether this frame has cut a tile
   int Sample = WholePixel; // that resolves see
   int Among = -1;
   std::string Error;

@@ -43,8 +43,11 @@ struct vtkTranslucencyPass::Internals
   // Gather: the text that goes into the mappers' shaders, what it was made from, and when it last changed.
   std::string GatherKey;
   std::string GatherText;
+  std::string GatherCall;    // the call of it; GATHERED_DEPTH stands for the fragment's depth
+  bool GatherStores = false; // whether it has effects besides the colours that it draws
   vtkTimeStamp GatherTextTime;
   bool Gathering = false;
+  vtkTranslucencyFrame::Uniforms GatherUniforms; // of the stage, its samplers' texture units among them
   std::string GatherError; // of a mapper whose shader has no place for the call
 
   vtkTranslucencyVolumes Volumes;

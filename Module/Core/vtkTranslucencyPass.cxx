@@ -87,6 +87,7 @@ void vtkTranslucencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeasureTimes: " << this->MeasureTimes << "\n";
+  os << indent << "CriticalSection: " << this->CriticalSection << "\n";
   os << indent << "TranslucentPass:\n";
   if (this->TranslucentPass)
   {
@@ -242,9 +243,59 @@ std::string vtkTranslucencyPass::GetOptionHelp(int index)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTranslucencyPass::GetMissing(vtkOpenGLRenderWindow*)
+std::string vtkTranslucencyPass::GetMissing(vtkOpenGLRenderWindow* window)
 {
-  return "";
+  return this->GetCapabilities(window).MissingForStorage;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::SetCriticalSection(int section)
+{
+  if (section < Automatic || section > Unprotected)
+  {
+    vtkErrorMacro(<< "CriticalSection is " << section
+                  << ", expected Automatic (0), Interlock (1), Spinlock (2) or Unprotected (3)");
+    return;
+  }
+  if (this->CriticalSection != section)
+  {
+    this->CriticalSection = section;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyOption vtkTranslucencyPass::GetCriticalSectionOption()
+{
+  return { "CriticalSection", "critical_section", vtkTranslucencyOption::Kind::Choice, Automatic, 0, 3,
+    { "auto", "interlock", "spinlock", "none" },
+    "what keeps fragments of one pixel apart; auto is none on software rasterizers, which shade them one after the other, interlock "
+    "where the driver has it, else spinlock",
+    [this] { return this->GetCriticalSection(); },
+    [this](double value) { this->SetCriticalSection(static_cast<int>(value)); } };
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::GetMissingForCriticalSection(vtkOpenGLRenderWindow* window)
+{
+  const bool lacking = this->CriticalSection == Interlock && this->GetCapabilities(window).Interlock.empty();
+  return lacking ? "GL_ARB_fragment_shader_interlock" : "";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTranslucencyPass::GetSelectedCriticalSection(const vtkTranslucencyCapabilities& capabilities) const
+{
+  switch (this->CriticalSection)
+  {
+    case Interlock:
+      return "Interlock";
+    case Spinlock:
+      return "Spinlock";
+    case Unprotected:
+      return "None";
+    default:
+      return capabilities.KeepsDrawOrder ? "None" : capabilities.Interlock.empty() ? "Spinlock" : "Interlock";
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -321,7 +372,7 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
       this->RenderFallback(state, volumetricPass, "the driver (" + driver + ") lacks " + missing, true);
       return;
     }
-    kept.Volumes.Find(state, volumetricPass);
+    kept.Volumes.Find(state, volumetricPass, this->DividesVolumes());
     this->RenderGathered(state, window);
     return;
   }
@@ -388,8 +439,10 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
   const std::string undivided = kept.Volumes.DrawUndivided(state);
   if (!undivided.empty() && undivided != kept.UndividedVolumes)
   {
-    vtkWarningMacro(<< "volumes of " << undivided << " are drawn over the translucent surfaces: expected those of "
-                       "vtkGPUVolumeRayCastMapper with an ImageSampleDistance of 1, not within assemblies");
+    const std::string expected = this->DividesVolumes()
+      ? "expected those of vtkGPUVolumeRayCastMapper with an ImageSampleDistance of 1, not within assemblies"
+      : "only techniques that keep all fragments divide them, exact and adaptive";
+    vtkWarningMacro(<< "volumes of " << undivided << " are drawn over the translucent surfaces: " << expected);
   }
   kept.UndividedVolumes = undivided;
 }
@@ -469,19 +522,20 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
   const bool setsDepth = SetsDepth(fragmentShader);
   std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
   std::string declarations = kept.GatherText;
-  if (setsDepth)
+  const bool tests = setsDepth && kept.GatherStores;
+  if (tests)
   {
     vtkTranslucencyShader test;
     test.Assemble("Common/OpaqueDepth.glsl", {});
     declarations += test.GetText();
   }
-  else
+  else if (kept.GatherStores)
   {
     system += "layout(early_fragment_tests) in;\n#ifdef GL_ARB_post_depth_coverage\n"
               "layout(post_depth_coverage) in;\n#endif\n"; // the samples that pass the test
   }
   const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
-  const std::string call = "gatherFragment(gl_FragData[0], " + depth + ");\n";
+  const std::string call = std::regex_replace(kept.GatherCall, std::regex("GATHERED_DEPTH"), depth);
 
   const std::string who = mapper->GetClassName();
   std::string& error = kept.GatherError;
@@ -489,7 +543,7 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
   return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&
     Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, who, error) &&
     Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl", call, who, error) &&
-    (!setsDepth ||
+    (!tests ||
       Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
         "if (behindOpaque(gl_FragDepth)) { discard; }\n", who, error));
 }
@@ -510,6 +564,7 @@ bool vtkTranslucencyPass::SetShaderParameters(
   }
   // vtkOpenGLImageSliceMapper turns it on and, like the mappers of points and edges, leaves it on.
   kept.Window->GetState()->vtkglDepthMask(GL_FALSE);
+  vtkTranslucencyFrame::SetUniforms(program, kept.GatherUniforms);
   const char* sampler = "translucencyOpaqueDepth";
   if (!program->IsUniformUsed(sampler))
   {

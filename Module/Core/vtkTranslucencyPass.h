@@ -70,6 +70,25 @@ public:
   vtkGetObjectMacro(VolumetricPass, vtkRenderPass);
   ///@}
 
+  enum CriticalSectionType
+  {
+    Automatic = 0,
+    Interlock = 1,
+    Spinlock = 2,
+    Unprotected = 3
+  };
+
+  ///@{
+  /**
+   * How fragments of one pixel are kept from changing its record at the same time, where a technique keeps records of bounded size
+   * (Shaders/CriticalSection): Automatic (the default) takes Unprotected on software rasterizers, which shade them one after the other,
+   * Interlock where the driver has an extension for it, and Spinlock elsewhere. Interlock keeps the order of drawing, Spinlock does
+   * not. Unprotected on a GPU loses fragments: for trials. Another value is an error and changes nothing.
+   */
+  void SetCriticalSection(int section);
+  vtkGetMacro(CriticalSection, int);
+  ///@}
+
   ///@{
   /**
    * Whether the stages are timed. Off by default: it waits for the GPU at each stage's end.
@@ -104,7 +123,8 @@ public:
   virtual std::vector<vtkTranslucencyOption> GetOptions();
 
   /**
-   * Empty if the driver behind the window can run this technique, else what it lacks. The window's context must be current.
+   * Empty if the driver behind the window can run this technique, else what it lacks: here, what all techniques need. The window's
+   * context must be current.
    */
   virtual std::string GetMissing(vtkOpenGLRenderWindow* window);
 
@@ -127,6 +147,17 @@ protected:
   virtual bool RenderStages(vtkTranslucencyFrame& frame) = 0;
 
   /**
+   * Whether volumes can be divided at the technique's fragments; if not they are drawn over the surfaces, after a warning.
+   */
+  virtual bool DividesVolumes() const { return false; }
+
+  /**
+   * The option critical_section, and what the driver lacks for its value: for techniques that keep records of pixels.
+   */
+  vtkTranslucencyOption GetCriticalSectionOption();
+  std::string GetMissingForCriticalSection(vtkOpenGLRenderWindow* window);
+
+  /**
    * What the driver behind the window can do.
    */
   const vtkTranslucencyCapabilities& GetCapabilities(vtkOpenGLRenderWindow* window);
@@ -141,10 +172,14 @@ protected:
   vtkRenderPass* TranslucentPass = nullptr;
   vtkRenderPass* VolumetricPass = nullptr;
   bool MeasureTimes = false;
+  int CriticalSection = Automatic;
 
 private:
   vtkTranslucencyPass(const vtkTranslucencyPass&) = delete;
   void operator=(const vtkTranslucencyPass&) = delete;
+
+  // A file of Shaders/CriticalSection.
+  const char* GetSelectedCriticalSection(const vtkTranslucencyCapabilities& capabilities) const;
 
   void RenderAlone(const vtkRenderState* state);
   void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass);

@@ -16,6 +16,9 @@ namespace
 constexpr int FirstSource = 101;
 }
 
+// A driver that lacks it would warn.
+#define OPTIONAL_EXTENSION(name) "#ifdef " name "\n#extension " name " : enable\n#endif\n"
+
 //------------------------------------------------------------------------------
 const char* vtkTranslucencyShader::GetExtensions()
 {
@@ -25,18 +28,22 @@ const char* vtkTranslucencyShader::GetExtensions()
          "#extension GL_ARB_shading_language_packing : require\n"
          "#extension GL_ARB_shader_bit_encoding : require\n"
          "#extension GL_ARB_gpu_shader5 : require\n" // gl_SampleMaskIn
-         "#extension GL_ARB_post_depth_coverage : enable\n"
-         "#extension GL_ARB_sample_shading : enable\n"; // gl_SampleID
+         "#extension GL_ARB_sample_shading : require\n" // gl_SampleID
+         OPTIONAL_EXTENSION("GL_ARB_post_depth_coverage")
+         OPTIONAL_EXTENSION("GL_ARB_ES3_1_compatibility") // gl_HelperInvocation
+         OPTIONAL_EXTENSION("GL_ARB_fragment_shader_interlock")
+         OPTIONAL_EXTENSION("GL_NV_fragment_shader_interlock")
+         OPTIONAL_EXTENSION("GL_INTEL_fragment_shader_ordering");
 }
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyShader::Assemble(const std::string& file, const Defines& required,
-  const Defines& offered, const std::string& storage)
+  const Defines& offered, const Selection& selection)
 {
   this->Text.clear();
   this->Error.clear();
   this->Files.clear();
-  this->Storage = storage;
+  this->Selected = selection;
   this->Depth = 0;
   std::string head;
   if (!this->Append(file, "", 0) || !this->Define(required, true, head) ||
@@ -105,8 +112,12 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
   {
     if (std::regex_match(text, match, include))
     {
-      const std::string included = std::regex_replace(
-        match[1].str(), std::regex("^Storage/Selected"), "Storage/" + this->Storage);
+      std::string included = match[1].str();
+      for (const auto& selected : this->Selected)
+      {
+        included = std::regex_replace(
+          included, std::regex("^" + selected.first + "/Selected"), selected.first + "/" + selected.second);
+      }
       if (!this->Append(included, file, here))
       {
         return false;

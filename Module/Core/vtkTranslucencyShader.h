@@ -20,12 +20,13 @@ class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyShader
 {
 public:
   using Defines = std::map<std::string, std::string>;
+  using Selection = std::map<std::string, std::string>; // of a folder, the file that Selected stands for
 
   /// Assembles a file and all that it includes, behind the defines. `Storage/Selected` in an include stands for
-  /// "Storage/" + storage. False, with the reason in GetError(), if a file is not in the table or one of the required defines
+  /// "Storage/" + selection["Storage"]. False, with the reason in GetError(), if a file is not in the table or one of the required defines
   /// is mentioned by none of the files; of the offered ones, those that are mentioned are taken.
   bool Assemble(const std::string& file, const Defines& required, const Defines& offered = {},
-    const std::string& storage = "");
+    const Selection& selection = {});
 
   /// The text, to stand behind #version and #extension lines.
   const std::string& GetText() const { return this->Text; }
@@ -49,7 +50,7 @@ private:
 
   std::string Text;
   std::string Error;
-  std::string Storage;
+  Selection Selected;
   int Depth = 0; // of includes
   std::vector<std::string> Files; // index + FirstSource = the #line directive's source number
 };

@@ -32,7 +32,7 @@ int DrawFramebuffer()
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyVolumes::Find(const vtkRenderState* state, vtkRenderPass* pass)
+void vtkTranslucencyVolumes::Find(const vtkRenderState* state, vtkRenderPass* pass, bool divided)
 {
   this->Pass = pass;
   this->Props.clear();
@@ -40,7 +40,7 @@ void vtkTranslucencyVolumes::Find(const vtkRenderState* state, vtkRenderPass* pa
   for (int i = 0; pass && i < vtkTranslucencyPropCount(state); ++i)
   {
     vtkProp* prop = vtkTranslucencyProp(state, i);
-    (CastsRaysByShader(prop) ? this->Props : this->Others).push_back(prop);
+    (divided && CastsRaysByShader(prop) ? this->Props : this->Others).push_back(prop);
   }
 }
 

@@ -26,8 +26,8 @@ class vtkShaderProgram;
 class vtkTranslucencyVolumes
 {
 public:
-  /// Looks for volumes among the props. A null pass draws none.
-  void Find(const vtkRenderState* state, vtkRenderPass* pass);
+  /// Looks for volumes among the props. A null pass draws none. Where they are not to be divided, none may be gathered.
+  void Find(const vtkRenderState* state, vtkRenderPass* pass, bool divided);
 
   vtkRenderPass* GetPass() const { return this->Pass; }
 

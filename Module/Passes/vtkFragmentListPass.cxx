@@ -57,12 +57,6 @@ std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFragmentListPass::GetMissing(vtkOpenGLRenderWindow* window)
-{
-  return this->GetCapabilities(window).MissingForStorage;
-}
-
-//------------------------------------------------------------------------------
 vtkTypeInt64 vtkFragmentListPass::GetTechniqueBytes()
 {
   return this->Storage->GetBytes();

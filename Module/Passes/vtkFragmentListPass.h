@@ -27,7 +27,6 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
-  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
 
 protected:
   vtkFragmentListPass();
@@ -69,6 +68,7 @@ protected:
    */
   virtual bool ResolveLists(vtkTranslucencyFrame& frame) = 0;
 
+  bool DividesVolumes() const override { return true; }
   bool RenderStages(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;

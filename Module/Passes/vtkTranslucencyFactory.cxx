@@ -2,6 +2,8 @@
 
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
+#include "vtkMultiLayerAlphaBlendingPass.h"
+#include "vtkWeightedTransparencyPass.h"
 
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkNew.h"
@@ -50,6 +52,10 @@ const Technique Techniques[] = {
   { "exact", "A-buffer: every fragment, sorted and blended", NewPass<vtkABufferPass> },
   { "adaptive", "adaptive transparency: a visibility function of a few nodes a pixel",
     NewPass<vtkAdaptiveTransparencyPass> },
+  { "mlab", "multi-layer alpha blending: the nearest layers of a pixel, and the rest merged into the last",
+    NewPass<vtkMultiLayerAlphaBlendingPass> },
+  { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
+    NewPass<vtkWeightedTransparencyPass> },
   { "blend", "VTK's plain blending, in drawing order: wrong where surfaces overlap out of order",
     NewPass<vtkTranslucentPass> },
   { "vtk-oit", "VTK's order-independent pass: a weighted average, fast and approximate",

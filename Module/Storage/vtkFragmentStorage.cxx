@@ -70,11 +70,5 @@ std::map<std::string, std::string> vtkFragmentStorage::GetDefines() const
 //------------------------------------------------------------------------------
 double vtkFragmentStorage::GetLimitBytes(const vtkTranslucencyCapabilities& capabilities) const
 {
-  constexpr double MiB = 1024.0 * 1024.0;
-  constexpr double Default = 2048;
-  if (this->MemoryLimit > 0)
-  {
-    return this->MemoryLimit * MiB;
-  }
-  return (capabilities.ReportedMemoryMiB > 0 ? capabilities.ReportedMemoryMiB / 4 : Default) * MiB;
+  return capabilities.GetLimitBytes(this->MemoryLimit);
 }

@@ -3,15 +3,18 @@
 #define Bindings_glsl
 
 #define STORAGE_BINDING_STATISTICS 0 // written by the resolve, see Statistics.glsl
-#define STORAGE_BINDING_COUNTERS 1   // fragment storage: what was allocated
-#define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel
-#define STORAGE_BINDING_FRAGMENTS 3  // fragment storage: the fragments
+#define STORAGE_BINDING_COUNTERS 1   // fragment storage: what was allocated; locks of pixels
+#define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel; counts of records
+#define STORAGE_BINDING_FRAGMENTS 3  // fragment storage: the fragments; records of pixels
 #define STORAGE_BINDING_SAMPLES 4    // see SampleColors.glsl
 #define STORAGE_BINDINGS 5
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
 #define LEVEL_SAMPLES 31  // pixels whose samples differ and wait in SampleColors.glsl
 #define LEVEL_EACH_SAMPLE 30 // pixels whose samples differ and are resolved one by one, see Samples.glsl
+
+#define PIXEL_BLOCK_WIDTH 8 // see Pixels.glsl
+#define PIXEL_BLOCK_HEIGHT 4
 
 #define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
 #define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout

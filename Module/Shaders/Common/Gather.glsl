@@ -6,19 +6,10 @@
 // Needs: what the storage needs.  Gives: gatherFragment.
 #ifndef Gather_glsl
 #define Gather_glsl
+#include "Common/Coverage.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/Samples.glsl"
 #include "Storage/Selected.glsl"
-
-// The samples that the primitive covers and that pass the depth test.
-uint coveredSamples()
-{
-#if SAMPLES > 1
-  return uint(gl_SampleMaskIn[0]) & ALL_SAMPLES;
-#else
-  return ALL_SAMPLES;
-#endif
-}
 
 void gatherFragment(vec4 color, float depth)
 {

@@ -5,33 +5,16 @@
 // LEVEL_EACH_SAMPLE and goes through the technique's resolves once for each sample, where fragments that do not cover the sample are
 // transparent.
 //
-// Needs: SAMPLES (1 to 8).  Gives: ALL_SAMPLES, resolveSample, inTile, atSample, samplesAgree.
+// Needs: SAMPLES.  Gives: resolveSample, atSample, samplesAgree.
 #ifndef Samples_glsl
 #define Samples_glsl
 #include "Common/Fragment.glsl"
-#include "Common/Frame.glsl"
-#ifndef SAMPLES
-#error "Samples.glsl needs SAMPLES"
-#endif
-
-#define ALL_SAMPLES ((1u << SAMPLES) - 1u)
+#include "Common/Tile.glsl"
 
 #if SAMPLES > 1
 uniform int resolveSample; // negative: the whole pixel
 uint samplesInAll = ALL_SAMPLES; // those that every fragment read so far covers
 #endif
-
-// Whether a pixel belongs to the tile. The scissor test should see to it; with several samples llvmpipe also shades pixels beside the
-// rectangle, whose fragments would end up in other pixels' lists.
-bool inTile(ivec2 pixel)
-{
-#if SAMPLES > 1
-  ivec2 at = pixel - frameTile.xy;
-  return all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, frameTile.zw));
-#else
-  return true;
-#endif
-}
 
 // A fragment as the sample sees it that is being resolved.
 Fragment atSample(Fragment fragment)

@@ -1,0 +1,39 @@
+/**
+ * A record of bounded size for each pixel, or for each sample of it, that a technique's shaders change fragment by fragment under a critical
+ * section (Shaders/Common/Pixels.glsl). Memory: 4 * (words + 1) bytes a sample, and 4 a pixel where the critical section is a spin lock.
+ */
+#ifndef vtkTranslucencyPixels_h
+#define vtkTranslucencyPixels_h
+
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyBuffer.h"
+
+#include <array>
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyPixels
+{
+public:
+  /// What the records of a tile (x, y, width, height) take.
+  struct Size
+  {
+    vtkTypeInt64 Counts = 0;
+    vtkTypeInt64 Records = 0;
+    vtkTypeInt64 Locks = 0;
+
+    vtkTypeInt64 Sum() const { return this->Counts + this->Records + this->Locks; }
+  };
+  static Size GetSize(const std::array<int, 4>& tile, int samples, int words, bool locks);
+
+  /// Makes room, with all counts 0, and binds it. False if there is no memory for it.
+  bool Begin(const Size& size);
+
+  vtkTypeInt64 GetBytes() const;
+  void Release(bool contextAlive = true);
+
+private:
+  vtkTranslucencyBuffer Counts;
+  vtkTranslucencyBuffer Records;
+  vtkTranslucencyBuffer Locks;
+};
+
+#endif

@@ -1,0 +1,181 @@
+#include "vtkTranslucencyTargets.h"
+
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+namespace
+{
+GLenum InternalFormat(vtkTranslucencyTargets::Format format)
+{
+  using Format = vtkTranslucencyTargets::Format;
+  return format == Format::Float1 ? GL_R32F : format == Format::Float2 ? GL_RG32F : GL_RGBA32F;
+}
+
+GLenum PixelFormat(vtkTranslucencyTargets::Format format)
+{
+  using Format = vtkTranslucencyTargets::Format;
+  return format == Format::Float1 ? GL_RED : format == Format::Float2 ? GL_RG : GL_RGBA;
+}
+
+GLint DepthAttachment(unsigned int framebuffer, GLenum what)
+{
+  GLint value = 0;
+  // The window system's framebuffer, 0, has a depth buffer that can't be shared.
+  if (framebuffer != 0)
+  {
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, what, &value);
+  }
+  return value;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyTargets::Reserve(int width, int height, int samples, const std::vector<Format>& formats)
+{
+  if (width == this->Width && height == this->Height && samples == this->Samples && formats == this->Formats)
+  {
+    return true;
+  }
+  this->Release();
+  while (glGetError() != GL_NO_ERROR)
+  {
+    // an older error is not this allocation's
+  }
+  this->Width = width;
+  this->Height = height;
+  this->Samples = samples;
+  this->Formats = formats;
+  this->Textures.resize(formats.size());
+  const GLenum target = this->GetTarget();
+  GLint bound = 0;
+  glGetIntegerv(samples > 1 ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &bound);
+  glGenTextures(static_cast<GLsizei>(formats.size()), this->Textures.data());
+  for (std::size_t i = 0; i < formats.size(); ++i)
+  {
+    glBindTexture(target, this->Textures[i]);
+    if (samples > 1)
+    {
+      glTexImage2DMultisample(target, samples, InternalFormat(formats[i]), width, height, GL_TRUE);
+    }
+    else
+    {
+      glTexImage2D(target, 0, static_cast<GLint>(InternalFormat(formats[i])), width, height, 0,
+        PixelFormat(formats[i]), GL_FLOAT, nullptr);
+      glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+  }
+  glBindTexture(target, static_cast<GLuint>(bound));
+  if (glGetError() != GL_NO_ERROR)
+  {
+    this->Release();
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window)
+{
+  GLint found = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &found);
+  const GLint type = DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+  const auto depth = static_cast<GLuint>(
+    type == GL_NONE ? 0 : DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  if (depth == 0)
+  {
+    return "the framebuffer has no depth buffer that can be shared, expected a framebuffer object with one";
+  }
+  const GLint level =
+    type == GL_TEXTURE ? DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) : 0;
+
+  this->Window = window;
+  window->GetState()->PushFramebufferBindings();
+  const bool fresh = this->Framebuffer == 0;
+  if (fresh)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
+  window->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
+  if (fresh)
+  {
+    std::vector<GLenum> buffers;
+    for (std::size_t i = 0; i < this->Textures.size(); ++i)
+    {
+      buffers.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + i));
+      glFramebufferTexture(GL_DRAW_FRAMEBUFFER, buffers.back(), this->Textures[i], 0);
+    }
+    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+  }
+  if (type == GL_TEXTURE)
+  {
+    glFramebufferTexture(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth, level);
+  }
+  else
+  {
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+  }
+  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  {
+    this->Unbind();
+    return "the driver can't draw to floating-point colours with the window's depth buffer";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyTargets::Clear(const std::array<float, 4>& value)
+{
+  for (std::size_t i = 0; i < this->Textures.size(); ++i)
+  {
+    glClearBufferfv(GL_COLOR, static_cast<GLint>(i), value.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyTargets::Unbind()
+{
+  // Whoever owns the depth buffer may delete or resize it before the next frame.
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+  this->Window->GetState()->PopFramebufferBindings();
+  this->Window = nullptr;
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkTranslucencyTargets::GetTarget() const
+{
+  return this->Samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTranslucencyTargets::GetBytes() const
+{
+  vtkTypeInt64 floats = 0;
+  for (Format format : this->Formats)
+  {
+    floats += static_cast<int>(format);
+  }
+  constexpr vtkTypeInt64 bytesOfFloat = 4;
+  return floats * bytesOfFloat * this->Width * this->Height * this->Samples;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyTargets::Release(bool contextAlive)
+{
+  if (contextAlive && !this->Textures.empty())
+  {
+    glDeleteTextures(static_cast<GLsizei>(this->Textures.size()), this->Textures.data());
+  }
+  if (contextAlive && this->Framebuffer != 0)
+  {
+    glDeleteFramebuffers(1, &this->Framebuffer);
+  }
+  this->Framebuffer = 0;
+  this->Textures.clear();
+  this->Formats.clear();
+  this->Width = 0;
+  this->Height = 0;
+  this->Samples = 0;
+}

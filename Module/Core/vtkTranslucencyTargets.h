@@ -1,0 +1,68 @@
+/**
+ * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage.
+ *
+ * They cover the framebuffer that the opaque geometry was drawn to, have as many samples, and share its depth buffer while they are drawn
+ * to: nothing is copied, and fragments behind opaque geometry are rejected before they are shaded. No depth is written.
+ *
+ * OpenGL objects are made by Reserve and used within the frame; the owner calls Release.
+ */
+#ifndef vtkTranslucencyTargets_h
+#define vtkTranslucencyTargets_h
+
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyTargets
+{
+public:
+  /// 32-bit floats a pixel and sample.
+  enum class Format
+  {
+    Float1 = 1,
+    Float2 = 2,
+    Float4 = 4
+  };
+
+  vtkTranslucencyTargets() = default;
+  vtkTranslucencyTargets(const vtkTranslucencyTargets&) = delete;
+  vtkTranslucencyTargets& operator=(const vtkTranslucencyTargets&) = delete;
+
+  /// Makes buffers of these formats (at most 8). False if there is no memory for them.
+  bool Reserve(int width, int height, int samples, const std::vector<Format>& formats);
+
+  /// Makes them what is drawn to, with the depth buffer of the framebuffer that was. Gives what is wrong, empty if nothing is.
+  std::string Bind(vtkOpenGLRenderWindow* window);
+
+  /// Sets all of them to a value, within the scissor rectangle. They have to be bound.
+  void Clear(const std::array<float, 4>& value);
+
+  /// Makes the framebuffer that was bound before Bind what is drawn to.
+  void Unbind();
+
+  /// GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE, and the texture's name.
+  unsigned int GetTarget() const;
+  unsigned int GetTexture(int index) const { return this->Textures[index]; }
+
+  /// Bytes as allocated.
+  vtkTypeInt64 GetBytes() const;
+
+  /// Deletes everything; where the context is gone it is only forgotten.
+  void Release(bool contextAlive = true);
+
+private:
+  vtkOpenGLRenderWindow* Window = nullptr; // while bound
+  unsigned int Framebuffer = 0;
+  std::vector<unsigned int> Textures;
+  std::vector<Format> Formats;
+  int Width = 0;
+  int Height = 0;
+  int Samples = 0;
+};
+
+#endif

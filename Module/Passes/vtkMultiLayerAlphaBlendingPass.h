@@ -1,0 +1,65 @@
+/**
+ * @class   vtkMultiLayerAlphaBlendingPass
+ * @brief   multi-layer alpha blending: the nearest layers of a pixel, and all others merged into the last
+ *
+ * Salvi and Vaidyanathan, "Multi-layer alpha blending" (I3D 2014), in one drawing of the geometry. A pixel keeps Layers layers, front to
+ * back; a fragment goes to its place among them, and if there is then one too many, the two farthest are blended into one. Exact where no more
+ * than Layers surfaces lie behind each other; beyond, wrong where a fragment comes later that belongs between two that were merged. What shows
+ * through is always right.
+ *
+ * Stages:
+ * 1. Gather: layers are inserted and merged, under a critical section (12 bytes a layer, and 4, a pixel and sample).
+ * 2. Composite: the layers one behind the other.
+ */
+#ifndef vtkMultiLayerAlphaBlendingPass_h
+#define vtkMultiLayerAlphaBlendingPass_h
+
+#include "vtkTranslucencyPass.h"
+#include "vtkTranslucencyPixels.h" // for Pixels
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkMultiLayerAlphaBlendingPass : public vtkTranslucencyPass
+{
+public:
+  static vtkMultiLayerAlphaBlendingPass* New();
+  vtkTypeMacro(vtkMultiLayerAlphaBlendingPass, vtkTranslucencyPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Layers of a pixel, 1 to 32; 4 by default. Another value is an error and changes nothing.
+   */
+  void SetLayers(int layers);
+  vtkGetMacro(Layers, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most graphics memory that the layers may take, in MiB; pictures for which that is not enough are drawn in tiles. 0 (the default)
+   * means a quarter of what the driver reports, or 2048 where it reports nothing. A negative value is an error and changes nothing.
+   */
+  void SetMemoryLimit(double mebibytes);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  std::vector<vtkTranslucencyOption> GetOptions() override;
+  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
+
+protected:
+  vtkMultiLayerAlphaBlendingPass() = default;
+  ~vtkMultiLayerAlphaBlendingPass() override;
+
+  bool RenderStages(vtkTranslucencyFrame& frame) override;
+  vtkTypeInt64 GetTechniqueBytes() override;
+  void ReleaseTechniqueResources(bool contextAlive) override;
+
+  int Layers = 4;
+  double MemoryLimit = 0;
+
+private:
+  vtkTranslucencyPixels Pixels;
+
+  vtkMultiLayerAlphaBlendingPass(const vtkMultiLayerAlphaBlendingPass&) = delete;
+  void operator=(const vtkMultiLayerAlphaBlendingPass&) = delete;
+};
+
+#endif

@@ -1,0 +1,142 @@
+#include "vtkWeightedTransparencyPass.h"
+
+#include "vtkTranslucencyFrame.h"
+#include "vtkTranslucencyOption.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkWeightedTransparencyPass);
+
+namespace
+{
+const char* const Methods[] = { "WEIGHTED_SUM", "WEIGHTED_AVERAGE", "WEIGHTED_BLENDED" };
+const char* const Equations[] = { "7", "8", "9", "10" };
+constexpr double Farthest = 1e6;
+}
+
+//------------------------------------------------------------------------------
+vtkWeightedTransparencyPass::~vtkWeightedTransparencyPass()
+{
+  this->ReleaseGraphicsResources(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkWeightedTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << Methods[this->Method] << "\n";
+  os << indent << "WeightFunction: equation " << Equations[this->WeightFunction] << "\n";
+  os << indent << "DepthNear: " << this->DepthNear << "\n";
+  os << indent << "DepthFar: " << this->DepthFar << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkWeightedTransparencyPass::SetMethod(int method)
+{
+  if (method < Sum || method > Blended)
+  {
+    vtkErrorMacro(<< "Method is " << method << ", expected Sum (0), Average (1) or Blended (2)");
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Method = method;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWeightedTransparencyPass::SetWeightFunction(int function)
+{
+  if (function < Equation7 || function > Equation10)
+  {
+    vtkErrorMacro(<< "WeightFunction is " << function << ", expected Equation7 (0), Equation8 (1), Equation9 (2) or Equation10 (3)");
+    return;
+  }
+  if (this->WeightFunction != function)
+  {
+    this->WeightFunction = function;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWeightedTransparencyPass::SetDistance(const char* name, double& member, double distance)
+{
+  if (!(distance > 0 && distance <= Farthest))
+  {
+    vtkErrorMacro(<< name << " is " << distance << ", expected a positive number up to " << Farthest);
+    return;
+  }
+  if (member != distance)
+  {
+    member = distance;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWeightedTransparencyPass::SetDepthNear(double distance)
+{
+  this->SetDistance("DepthNear", this->DepthNear, distance);
+}
+
+//------------------------------------------------------------------------------
+void vtkWeightedTransparencyPass::SetDepthFar(double distance)
+{
+  this->SetDistance("DepthFar", this->DepthFar, distance);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
+{
+  using Kind = vtkTranslucencyOption::Kind;
+  constexpr double nearest = 1e-6;
+  return { { "Method", "method", Kind::Choice, Blended, 0, 2, { "sum", "average", "blended" },
+             "sum and average don't look at depth; blended gives near fragments more weight, and what shows through is exact",
+             [this] { return this->GetMethod(); },
+             [this](double value) { this->SetMethod(static_cast<int>(value)); } },
+    { "WeightFunction", "weight_function", Kind::Choice, Equation7, 0, 3,
+      { "equation7", "equation8", "equation9", "equation10" },
+      "how the weight falls with depth if the method is blended, as numbered by McGuire and Bavoil (2013)",
+      [this] { return this->GetWeightFunction(); },
+      [this](double value) { this->SetWeightFunction(static_cast<int>(value)); } },
+    { "DepthNear", "depth_near", Kind::Real, 0.1, nearest, Farthest, {},
+      "distance that equations 7 to 9 take the near plane for", [this] { return this->GetDepthNear(); },
+      [this](double value) { this->SetDepthNear(value); } },
+    { "DepthFar", "depth_far", Kind::Real, 500, nearest, Farthest, {},
+      "distance that equations 7 to 9 take the far plane for", [this] { return this->GetDepthFar(); },
+      [this](double value) { this->SetDepthFar(value); } } };
+}
+
+//------------------------------------------------------------------------------
+bool vtkWeightedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
+{
+  const vtkTranslucencyFrame::Defines method{ { "WEIGHTED_METHOD", Methods[this->Method] } };
+  vtkTranslucencyFrame::Gathering gathering{ "Weighted/Gather.glsl", method, 2 };
+  vtkTranslucencyFrame::Stage sums;
+  sums.Targets = &this->Sums;
+  if (this->Method == Blended)
+  {
+    gathering.Values["WEIGHT_FUNCTION"] = Equations[this->WeightFunction];
+    sums.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
+    sums.Clear = { { 0, 0, 0, 1 } };
+    sums.Values = { { "weightNear", static_cast<float>(this->DepthNear) },
+      { "weightFar", static_cast<float>(this->DepthFar) } };
+  }
+  return frame.UseTargets(this->Sums, { 4, 1 }) && frame.Draw(gathering, sums) &&
+    frame.Composite("Weighted/Resolve.glsl", method,
+      { { "weightedColors", &this->Sums, 0 }, { "weightedCounts", &this->Sums, 1 } });
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkWeightedTransparencyPass::GetTechniqueBytes()
+{
+  return this->Sums.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkWeightedTransparencyPass::ReleaseTechniqueResources(bool contextAlive)
+{
+  this->Sums.Release(contextAlive);
+}

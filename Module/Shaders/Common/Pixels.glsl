@@ -1,0 +1,77 @@
+// Pixels.glsl: a record of bounded size for each sample of each pixel, that fragments change one after the other.
+//
+// PIXEL_WORDS words a record, beside a count. Pixels lie in blocks of 8 x 4, and in a block all first words come first, then all second
+// ones: the lanes of a vector, which are neighbours in the picture, find each word in one or two cache lines.
+//
+// Counts are 0 in the beginning; the words are what was there before.
+//
+// Needs: PIXEL_WORDS, SAMPLES.  Gives: pixelIndex, pixelRecord, recordCount, setRecordCount, recordWord, setRecordWord.
+#ifndef Pixels_glsl
+#define Pixels_glsl
+#include "Common/Bindings.glsl"
+#include "Common/Frame.glsl"
+#include "CriticalSection/Selected.glsl"
+#ifndef PIXEL_WORDS
+#error "Pixels.glsl needs PIXEL_WORDS"
+#endif
+#ifndef SAMPLES
+#error "Pixels.glsl needs SAMPLES"
+#endif
+
+layout(std430, binding = STORAGE_BINDING_TABLE) CRITICAL_MEMORY buffer PixelCounts
+{
+  uint pixelCounts[];
+};
+
+layout(std430, binding = STORAGE_BINDING_FRAGMENTS) CRITICAL_MEMORY buffer PixelRecords
+{
+  uint pixelRecords[];
+};
+
+#define PIXELS_OF_BLOCK uint(PIXEL_BLOCK_WIDTH * PIXEL_BLOCK_HEIGHT)
+
+uint pixelIndex(ivec2 pixel)
+{
+  uvec2 at = uvec2(pixel - frameTile.xy);
+  uvec2 size = uvec2(PIXEL_BLOCK_WIDTH, PIXEL_BLOCK_HEIGHT);
+  uvec2 block = at / size;
+  uvec2 inside = at % size;
+  uint blocksAcross = (uint(frameTile.z) + size.x - 1u) / size.x;
+  return (block.y * blocksAcross + block.x) * PIXELS_OF_BLOCK + inside.y * size.x + inside.x;
+}
+
+// Where the record of a sample is, for the functions below.
+uint pixelRecord(ivec2 pixel, int index)
+{
+  uint at = pixelIndex(pixel);
+  uint lane = at % PIXELS_OF_BLOCK;
+  return ((at - lane) * uint(SAMPLES)) + uint(index) * PIXELS_OF_BLOCK + lane;
+}
+
+uint recordCount(uint record)
+{
+  return pixelCounts[record];
+}
+
+void setRecordCount(uint record, uint count)
+{
+  pixelCounts[record] = count;
+}
+
+uint wordIndex(uint record, uint word)
+{
+  uint lane = record % PIXELS_OF_BLOCK;
+  return (record - lane) * uint(PIXEL_WORDS) + word * PIXELS_OF_BLOCK + lane;
+}
+
+uint recordWord(uint record, uint word)
+{
+  return pixelRecords[wordIndex(record, word)];
+}
+
+void setRecordWord(uint record, uint word, uint value)
+{
+  pixelRecords[wordIndex(record, word)] = value;
+}
+
+#endif

@@ -1,0 +1,54 @@
+// Weighted/Gather.glsl: sums over the fragments of a pixel in which their order does not matter.
+//
+// - WEIGHTED_SUM (Meshkin 2007): sum of opacity * colour, and of opacity.
+// - WEIGHTED_AVERAGE (Bavoil and Myers 2008): the same, and the number of fragments.
+// - WEIGHTED_BLENDED (McGuire and Bavoil 2013, Eq. 6): sum of weight * opacity * colour, of weight * opacity, and the product of
+//   1 - opacity, for which the blending of target 0's alpha multiplies.
+//
+// The weights are those of the 2013 paper, made for distances of 0.1 to 500: depths are mapped linearly from the clipping range to
+// weightNear .. weightFar. Eq. 10 takes the window's depth as it is.
+//
+// Needs: WEIGHTED_METHOD, and for WEIGHTED_BLENDED WEIGHT_FUNCTION.  Gives: gatherFragment.
+#ifndef WEIGHTED_METHOD
+#error "Weighted/Gather.glsl needs WEIGHTED_METHOD"
+#endif
+#include "Common/LinearDepth.glsl"
+#include "Weighted/Methods.glsl"
+
+#if WEIGHTED_METHOD == WEIGHTED_BLENDED
+#ifndef WEIGHT_FUNCTION
+#error "Weighted/Gather.glsl needs WEIGHT_FUNCTION"
+#endif
+
+uniform float weightNear;
+uniform float weightFar;
+
+float weight(float depth)
+{
+#if WEIGHT_FUNCTION == 10
+  return max(1e-2, 3e3 * pow(1.0 - depth, 3.0));
+#else
+  float z = mix(weightNear, weightFar, linearDepth(depth));
+#if WEIGHT_FUNCTION == 7
+  float w = 10.0 / (1e-5 + pow(z / 5.0, 2.0) + pow(z / 200.0, 6.0));
+#elif WEIGHT_FUNCTION == 8
+  float w = 10.0 / (1e-5 + pow(z / 10.0, 3.0) + pow(z / 200.0, 6.0));
+#else
+  float w = 0.03 / (1e-5 + pow(z / 200.0, 4.0));
+#endif
+  return clamp(w, 1e-2, 3e3);
+#endif
+}
+#endif
+
+void gatherFragment(vec4 color, float depth, out vec4 outputs[2])
+{
+#if WEIGHTED_METHOD == WEIGHTED_BLENDED
+  float weighted = weight(depth) * color.a;
+  outputs[0] = vec4(weighted * color.rgb, color.a);
+  outputs[1] = vec4(weighted);
+#else
+  outputs[0] = vec4(color.a * color.rgb, color.a);
+  outputs[1] = vec4(1.0);
+#endif
+}
