@@ -17,11 +17,34 @@ const char* const Removals[] = { "NODE_REMOVAL_UNDERESTIMATE", "NODE_REMOVAL_OVE
 }
 
 //------------------------------------------------------------------------------
+vtkAdaptiveTransparencyPass::~vtkAdaptiveTransparencyPass()
+{
+  this->ReleaseGraphicsResources(nullptr);
+}
+
+//------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Memory: " << (this->Memory == Fixed ? "Fixed" : "Variable") << "\n";
   os << indent << "NodeCount: " << this->NodeCount << "\n";
   os << indent << "NodeRemoval: " << Removals[this->NodeRemoval] << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::SetMemory(int memory)
+{
+  if (memory != Variable && memory != Fixed)
+  {
+    vtkErrorMacro(<< "Memory is " << memory << ", expected Variable (0) or Fixed (1)");
+    return;
+  }
+  if (this->Memory != memory)
+  {
+    this->ReleaseGraphicsResources(nullptr); // what the other one holds
+    this->Memory = memory;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -68,13 +91,61 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
       { "underestimate", "overestimate", "mixed" },
       "how a full visibility function loses a node; underestimate looks best",
       [this] { return this->GetNodeRemoval(); },
-      [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } }
+      [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } },
+    { "Memory", "memory", Kind::Choice, Variable, 0, 1, { "variable", "fixed" },
+      "variable keeps all fragments and compresses them in the end; fixed compresses each as it is drawn, in two drawings of the geometry",
+      [this] { return this->GetMemory(); },
+      [this](double value) { this->SetMemory(static_cast<int>(value)); } },
+    this->GetCriticalSectionOption()
   };
   for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
   {
     options.push_back(option);
   }
   return options;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkAdaptiveTransparencyPass::GetMissing(vtkOpenGLRenderWindow* window)
+{
+  const std::string missing = this->Superclass::GetMissing(window);
+  return missing.empty() && this->Memory == Fixed ? this->GetMissingForCriticalSection(window) : missing;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
+{
+  if (this->Memory == Variable)
+  {
+    return this->Superclass::RenderStages(frame);
+  }
+  constexpr int wordsOfNode = 2; // Adaptive/Gather.glsl
+  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl",
+    { { "NODE_COUNT", std::to_string(this->NodeCount) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } }, 1 };
+  gathering.Critical = true;
+  const vtkTranslucencyFrame::Stage visibility;
+  vtkTranslucencyFrame::Stage shading;
+  shading.Number = 1;
+  shading.Targets = &this->Colors;
+  shading.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
+  shading.Clear = { { 0, 0, 0, 1 } };
+  return frame.UsePixels(this->Functions, this->NodeCount * wordsOfNode, this->Storage->GetMemoryLimit()) &&
+    frame.UseTargets(this->Colors, { 4 }) && frame.Draw(gathering, visibility) && frame.Draw(gathering, shading) &&
+    frame.Composite("Common/CompositeColors.glsl", {}, { { "gatheredColors", &this->Colors, 0 } });
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkAdaptiveTransparencyPass::GetTechniqueBytes()
+{
+  return this->Superclass::GetTechniqueBytes() + this->Functions.GetBytes() + this->Colors.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::ReleaseTechniqueResources(bool contextAlive)
+{
+  this->Superclass::ReleaseTechniqueResources(contextAlive);
+  this->Functions.Release(contextAlive);
+  this->Colors.Release(contextAlive);
 }
 
 //------------------------------------------------------------------------------

@@ -2,8 +2,9 @@
  * @class   vtkAdaptiveTransparencyPass
  * @brief   adaptive transparency: a visibility function of few nodes a pixel
  *
- * Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency", in its variable-memory form (section 4.1).
+ * Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency".
  *
+ * In variable memory (section 4.1, the default):
  * 1. Gather: all translucent fragments into the storage (one linked list a pixel).
  * 2. Resolve, one full-screen pass that walks a pixel's list twice:
  *    - each fragment is inserted into the visibility function vis(z), a front-to-back list of at most NodeCount nodes, each
@@ -24,11 +25,21 @@
  *
  * Fragments of equal depth are put one behind the other in the order of the list. Nodes live in registers only: NodeCount changes
  * no memory.
+ *
+ * In fixed memory (section 4), 8 bytes a node and 20 more, a pixel and sample, however many fragments there are:
+ * 1. Visibility: the geometry is drawn, and each fragment inserted into the function of its pixel, under a critical section.
+ * 2. Shading: the geometry is drawn again, and each fragment's colour weighted with its opacity and vis at its depth; blending sums it
+ *    up, and multiplies the total transmittance (16 bytes a pixel and sample).
+ * 3. Composite.
+ * Fragments are inserted as they are drawn, the first drawn first. A function is read and written for each fragment, which takes longer than
+ * keeping them all, except where they would not fit into the memory there is. Volumes are drawn over the surfaces.
  */
 #ifndef vtkAdaptiveTransparencyPass_h
 #define vtkAdaptiveTransparencyPass_h
 
 #include "vtkFragmentListPass.h"
+#include "vtkTranslucencyPixels.h"  // for Functions
+#include "vtkTranslucencyTargets.h" // for Colors
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkFragmentListPass
 {
@@ -43,6 +54,21 @@ public:
     Overestimate = 1,
     Mixed = 2
   };
+
+  enum MemoryType
+  {
+    Variable = 0,
+    Fixed = 1
+  };
+
+  ///@{
+  /**
+   * Whether all fragments are kept and compressed in the end (Variable, the default), or each as it is drawn (Fixed). Another value is
+   * an error and changes nothing.
+   */
+  void SetMemory(int memory);
+  vtkGetMacro(Memory, int);
+  ///@}
 
   ///@{
   /**
@@ -65,17 +91,26 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
 
 protected:
   vtkAdaptiveTransparencyPass() = default;
-  ~vtkAdaptiveTransparencyPass() override = default;
+  ~vtkAdaptiveTransparencyPass() override;
 
+  bool DividesVolumes() const override { return this->Memory == Variable; }
+  bool RenderStages(vtkTranslucencyFrame& frame) override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
+  vtkTypeInt64 GetTechniqueBytes() override;
+  void ReleaseTechniqueResources(bool contextAlive) override;
 
+  int Memory = Variable;
   int NodeCount = 16;
   int NodeRemoval = Underestimate;
 
 private:
+  vtkTranslucencyPixels Functions; // in fixed memory
+  vtkTranslucencyTargets Colors;
+
   vtkAdaptiveTransparencyPass(const vtkAdaptiveTransparencyPass&) = delete;
   void operator=(const vtkAdaptiveTransparencyPass&) = delete;
 };

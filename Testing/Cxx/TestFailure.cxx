@@ -89,5 +89,5 @@ TEST_F(TestFailure, OfAShaderThatDoesNotCompileNamesFileAndLine)
   pass->File = "Adaptive/Resolve.glsl";
   pass->Defines = { { "NODE_COUNT", "8 +" }, { "NODE_REMOVAL", "0" }, { "EQUAL_DEPTHS", "0" },
     { "EQUAL_DEPTHS_LEVEL", "1u" }, { "UNFINISHED_LEVEL", "2u" } };
-  ExpectFallback(pass, "Adaptive/NodeBlocks.glsl:", TakeMessages);
+  ExpectFallback(pass, "Adaptive/EachNode.glsl:", TakeMessages);
 }

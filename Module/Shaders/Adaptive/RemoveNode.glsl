@@ -12,7 +12,7 @@
 // Needs: NODE_COUNT, NODE_REMOVAL.  Gives: Visibility, removeNode.
 #ifndef RemoveNode_glsl
 #define RemoveNode_glsl
-#include "Adaptive/NodeBlocks.glsl"
+#include "Adaptive/EachNode.glsl"
 #include "Common/Language.glsl"
 #ifndef NODE_REMOVAL
 #error "RemoveNode.glsl needs NODE_REMOVAL"
@@ -39,45 +39,24 @@ struct Removal
   int transmittance;
 };
 
-void findLeast(INOUT(Visibility) v, INOUT(Removal) least, int block)
+void considerNode(INOUT(Visibility) v, INOUT(Removal) least, int k)
 {
-  for (int i = 1; i <= NODE_BLOCK; ++i)
-  {
-    int k = block + i;
-    if (k <= NODE_COUNT)
-    {
-      float step = v.t[k - 1] - v.t[k];
+  float step = v.t[k - 1] - v.t[k];
 #if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
-      float under = step * (v.z[k] - v.z[k - 1]);
-      least.depth = under < least.area ? k : least.depth;
-      least.transmittance = under < least.area ? k - 1 : least.transmittance;
-      least.area = min(under, least.area);
+  float under = step * (v.z[k] - v.z[k - 1]);
+  least.depth = under < least.area ? k : least.depth;
+  least.transmittance = under < least.area ? k - 1 : least.transmittance;
+  least.area = min(under, least.area);
 #endif
 #if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
-      if (k < NODE_COUNT)
-      {
-        float over = step * (v.z[k + 1] - v.z[k]);
-        least.depth = over < least.area ? k : least.depth;
-        least.transmittance = over < least.area ? k : least.transmittance;
-        least.area = min(over, least.area);
-      }
-#endif
-    }
-  }
-}
-
-// Those behind what is removed move up.
-void moveUp(INOUT(Visibility) v, Removal removed, int block)
-{
-  for (int i = 0; i < NODE_BLOCK; ++i)
+  if (k < NODE_COUNT)
   {
-    int k = block + i;
-    if (k < NODE_COUNT)
-    {
-      v.z[k] = k < removed.depth ? v.z[k] : v.z[k + 1];
-      v.t[k] = k < removed.transmittance ? v.t[k] : v.t[k + 1];
-    }
+    float over = step * (v.z[min(k + 1, NODE_COUNT)] - v.z[k]);
+    least.depth = over < least.area ? k : least.depth;
+    least.transmittance = over < least.area ? k : least.transmittance;
+    least.area = min(over, least.area);
   }
+#endif
 }
 
 void removeNode(INOUT(Visibility) v)
@@ -90,10 +69,13 @@ void removeNode(INOUT(Visibility) v)
 #else
   least.area = (1.0f - v.t[0]) * (v.z[1] - v.z[0]);
 #endif
-#define FIND_LEAST(block) findLeast(v, least, block);
-  EACH_BLOCK(FIND_LEAST)
-#define MOVE_UP(block) moveUp(v, least, block);
-  EACH_BLOCK(MOVE_UP)
+#define FIND_LEAST(i) considerNode(v, least, (i) + 1);
+  EACH_NODE(FIND_LEAST)
+  // Those behind what is removed move up.
+#define MOVE_UP(k) \
+  v.z[k] = (k) < least.depth ? v.z[k] : v.z[(k) + 1]; \
+  v.t[k] = (k) < least.transmittance ? v.t[k] : v.t[(k) + 1];
+  EACH_NODE(MOVE_UP)
   v.z[NODE_COUNT] = NODE_EMPTY;
 }
 

@@ -10,69 +10,40 @@
 #define Visibility_glsl
 #include "Adaptive/RemoveNode.glsl"
 
-void clearBlock(INOUT(Visibility) v, int block)
-{
-  for (int i = 1; i <= NODE_BLOCK; ++i)
-  {
-    int k = block + i;
-    if (k <= NODE_COUNT)
-    {
-      v.z[k] = NODE_EMPTY;
-      v.t[k] = 1.0f;
-    }
-  }
-}
+// Lists are walked from the fragment drawn last, which lies in front of those that it coincides with. INSERTED_AS_DRAWN 1: fragments
+// come as they are drawn, and of equal depths the later one is put in front.
+#if defined(INSERTED_AS_DRAWN) && INSERTED_AS_DRAWN
+#define STAYS_IN_FRONT(z, depth) ((z) < (depth))
+#else
+#define STAYS_IN_FRONT(z, depth) ((z) <= (depth))
+#endif
 
 void clearVisibility(OUT(Visibility) v)
 {
-  v.z[0] = NODE_EMPTY;
-  v.t[0] = 1.0f;
-#define CLEAR(block) clearBlock(v, block);
-  EACH_BLOCK(CLEAR)
+#define CLEAR(k) \
+  v.z[k] = NODE_EMPTY; \
+  v.t[k] = 1.0f;
+  EACH_NODE(CLEAR)
+  CLEAR(NODE_COUNT)
   v.tied = false;
 }
 
-void insertIntoBlock(INOUT(Visibility) v, float depth, float passes, int block)
-{
-  for (int i = NODE_BLOCK; i > 0; --i)
-  {
-    int k = block + i;
-    if (k <= NODE_COUNT)
-    {
-      v.tied = v.tied || v.z[k] == depth;
-      v.t[k] = v.z[k] <= depth ? v.t[k] : passes * v.t[k - 1];
-      v.z[k] = min(v.z[k], max(v.z[k - 1], depth));
-    }
-  }
-}
-
-// Multiplies vis(z) with the step of a fragment (Eq. 5). Of equal depths, the fragment that comes later is put behind.
-// count fragments were inserted before this one.
+// Multiplies vis(z) with the step of a fragment (Eq. 5). Of equal depths, the fragment that comes later is put behind, or in front
+// (INSERTED_AS_DRAWN). count fragments were inserted before this one.
 void insertFragment(INOUT(Visibility) v, float depth, float alpha, int count)
 {
   float passes = 1.0f - alpha;
-#define INSERT(block) insertIntoBlock(v, depth, passes, block);
-  EACH_BLOCK_BACKWARDS(INSERT)
+#define INSERT_BEHIND(k) \
+  v.tied = v.tied || v.z[(k) + 1] == depth; \
+  v.t[(k) + 1] = STAYS_IN_FRONT(v.z[(k) + 1], depth) ? v.t[(k) + 1] : passes * v.t[k]; \
+  v.z[(k) + 1] = min(v.z[(k) + 1], max(v.z[k], depth));
+  EACH_NODE_BACKWARDS(INSERT_BEHIND)
   v.tied = v.tied || v.z[0] == depth;
-  v.t[0] = v.z[0] <= depth ? v.t[0] : passes;
+  v.t[0] = STAYS_IN_FRONT(v.z[0], depth) ? v.t[0] : passes;
   v.z[0] = min(v.z[0], depth);
   if (count >= NODE_COUNT)
   {
     removeNode(v);
-  }
-}
-
-void passNodeOfBlock(INOUT(Visibility) v, float depth, float nearer, INOUT(bool) passed, int block)
-{
-  for (int i = 0; i < NODE_BLOCK; ++i)
-  {
-    int k = block + i;
-    if (k < NODE_COUNT)
-    {
-      bool first = !passed && v.z[k] == depth;
-      v.z[k] = first ? nearer : v.z[k];
-      passed = passed || first;
-    }
   }
 }
 
@@ -84,28 +55,20 @@ void passNode(INOUT(Visibility) v, float depth)
 {
   float nearer = depth > 0.0f ? uintBitsToFloat(floatBitsToUint(depth) - 1u) : -1.0f;
   bool passed = false;
-#define PASS_NODE(block) passNodeOfBlock(v, depth, nearer, passed, block);
-  EACH_BLOCK(PASS_NODE)
-}
-
-void findBefore(INOUT(Visibility) v, float depth, INOUT(float) before, int block)
-{
-  for (int i = 0; i < NODE_BLOCK; ++i)
-  {
-    int k = block + i;
-    if (k < NODE_COUNT)
-    {
-      before = v.z[k] < depth ? v.t[k] : before;
-    }
-  }
+  bool first;
+#define PASS_NODE(k) \
+  first = !passed && v.z[k] == depth; \
+  v.z[k] = first ? nearer : v.z[k]; \
+  passed = passed || first;
+  EACH_NODE(PASS_NODE)
 }
 
 // vis at a depth (Eq. 6). Where fragments of equal depth have come in (v.tied), passNode follows.
 float transmittanceBefore(INOUT(Visibility) v, float depth)
 {
   float before = 1.0f;
-#define FIND_BEFORE(block) findBefore(v, depth, before, block);
-  EACH_BLOCK(FIND_BEFORE)
+#define FIND_BEFORE(k) before = v.z[k] < depth ? v.t[k] : before;
+  EACH_NODE(FIND_BEFORE)
   return before;
 }
 

@@ -5,7 +5,7 @@
 //
 // Counts are 0 in the beginning; the words are what was there before.
 //
-// Needs: PIXEL_WORDS, SAMPLES.  Gives: pixelIndex, pixelRecord, recordCount, setRecordCount, recordWord, setRecordWord.
+// Needs: PIXEL_WORDS, SAMPLES.  Gives: pixelIndex, PixelRecord, pixelRecord, recordCount, setRecordCount, recordWord, setRecordWord.
 #ifndef Pixels_glsl
 #define Pixels_glsl
 #include "Common/Bindings.glsl"
@@ -40,38 +40,39 @@ uint pixelIndex(ivec2 pixel)
   return (block.y * blocksAcross + block.x) * PIXELS_OF_BLOCK + inside.y * size.x + inside.x;
 }
 
-// Where the record of a sample is, for the functions below.
-uint pixelRecord(ivec2 pixel, int index)
+// Where the record of a sample lies: its count, and its first word. The others follow a block of pixels apart.
+struct PixelRecord
+{
+  uint counter;
+  uint words;
+};
+
+PixelRecord pixelRecord(ivec2 pixel, int index)
 {
   uint at = pixelIndex(pixel);
   uint lane = at % PIXELS_OF_BLOCK;
-  return ((at - lane) * uint(SAMPLES)) + uint(index) * PIXELS_OF_BLOCK + lane;
+  uint first = (at - lane) * uint(SAMPLES) + uint(index) * PIXELS_OF_BLOCK;
+  return PixelRecord(first + lane, first * uint(PIXEL_WORDS) + lane);
 }
 
-uint recordCount(uint record)
+uint recordCount(PixelRecord record)
 {
-  return pixelCounts[record];
+  return pixelCounts[record.counter];
 }
 
-void setRecordCount(uint record, uint count)
+void setRecordCount(PixelRecord record, uint count)
 {
-  pixelCounts[record] = count;
+  pixelCounts[record.counter] = count;
 }
 
-uint wordIndex(uint record, uint word)
+uint recordWord(PixelRecord record, int word)
 {
-  uint lane = record % PIXELS_OF_BLOCK;
-  return (record - lane) * uint(PIXEL_WORDS) + word * PIXELS_OF_BLOCK + lane;
+  return pixelRecords[record.words + uint(word) * PIXELS_OF_BLOCK];
 }
 
-uint recordWord(uint record, uint word)
+void setRecordWord(PixelRecord record, int word, uint value)
 {
-  return pixelRecords[wordIndex(record, word)];
-}
-
-void setRecordWord(uint record, uint word, uint value)
-{
-  pixelRecords[wordIndex(record, word)] = value;
+  pixelRecords[record.words + uint(word) * PIXELS_OF_BLOCK] = value;
 }
 
 #endif

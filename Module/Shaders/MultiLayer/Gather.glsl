@@ -14,13 +14,13 @@ uvec2 mergeLayers(uvec2 nearer, uvec2 farther)
   return packHalves(vec4(front.rgb + front.a * back.rgb, front.a * back.a));
 }
 
-void updatePixel(uint record, vec4 color, float depth)
+void updatePixel(PixelRecord record, vec4 color, float depth)
 {
   uint count = recordCount(record);
   Layer carried = Layer(depth, packHalves(vec4(color.a * color.rgb, 1.0 - color.a)));
-  for (uint i = 0u; i < uint(LAYERS); ++i)
+  for (int i = 0; i < LAYERS; ++i)
   {
-    if (i < count)
+    if (uint(i) < count)
     {
       Layer layer = loadLayer(record, i);
       if (carried.depth <= layer.depth)
@@ -32,14 +32,14 @@ void updatePixel(uint record, vec4 color, float depth)
   }
   if (count < uint(LAYERS))
   {
-    storeLayer(record, count, carried);
+    storeLayer(record, int(count), carried);
     setRecordCount(record, count + 1u);
   }
   else
   {
-    Layer last = loadLayer(record, uint(LAYERS - 1));
+    Layer last = loadLayer(record, LAYERS - 1);
     last.color = mergeLayers(last.color, carried.color);
-    storeLayer(record, uint(LAYERS - 1), last);
+    storeLayer(record, LAYERS - 1, last);
   }
 }
 

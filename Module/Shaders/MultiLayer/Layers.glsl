@@ -19,19 +19,19 @@ struct Layer
   uvec2 color;
 };
 
-Layer loadLayer(uint record, uint index)
+Layer loadLayer(PixelRecord record, int index)
 {
-  uint word = index * uint(LAYER_WORDS);
+  int word = index * LAYER_WORDS;
   return Layer(uintBitsToFloat(recordWord(record, word)),
-    uvec2(recordWord(record, word + 1u), recordWord(record, word + 2u)));
+    uvec2(recordWord(record, word + 1), recordWord(record, word + 2)));
 }
 
-void storeLayer(uint record, uint index, Layer layer)
+void storeLayer(PixelRecord record, int index, Layer layer)
 {
-  uint word = index * uint(LAYER_WORDS);
+  int word = index * LAYER_WORDS;
   setRecordWord(record, word, floatBitsToUint(layer.depth));
-  setRecordWord(record, word + 1u, layer.color.x);
-  setRecordWord(record, word + 2u, layer.color.y);
+  setRecordWord(record, word + 1, layer.color.x);
+  setRecordWord(record, word + 2, layer.color.y);
 }
 
 #endif

@@ -6,14 +6,14 @@
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 {
 #if SAMPLES > 1
-  uint record = pixelRecord(pixel, gl_SampleID);
+  PixelRecord record = pixelRecord(pixel, gl_SampleID);
 #else
-  uint record = pixelRecord(pixel, 0);
+  PixelRecord record = pixelRecord(pixel, 0);
 #endif
   uint count = recordCount(record);
-  for (uint i = 0u; i < uint(LAYERS); ++i)
+  for (int i = 0; i < LAYERS; ++i)
   {
-    if (i < count)
+    if (uint(i) < count)
     {
       vec4 layer = unpackHalves(loadLayer(record, i).color);
       color += transmittance * layer.rgb;

@@ -1,0 +1,117 @@
+// Adaptive/Gather.glsl: adaptive transparency in fixed memory (Salvi 2011, section 4): the visibility function of a pixel lies in its record,
+// NODE_COUNT nodes of a depth and a transmittance.
+//
+// Stage 0 inserts each fragment into it. Stage 1 draws the geometry again and weights each fragment with what the function lets through
+// before it (Eq. 2); blending adds that up and multiplies the total transmittance.
+//
+// Coincident fragments each have a node of their depth; the one drawn first has the last of them, and is hidden by the others. When it has
+// been weighted its node moves just behind that depth, so that the next fragment finds its own. That takes the same order in both stages, and
+// the record is written only where several nodes have the depth.
+//
+// In a multi-sampled window the shader runs once for each sample, whose function it changes.
+//
+// Needs: NODE_COUNT, NODE_REMOVAL, SAMPLES.  Gives: gatherFragment.
+#ifndef NODE_COUNT
+#error "Adaptive/Gather.glsl needs NODE_COUNT"
+#endif
+#define PIXEL_WORDS (2 * NODE_COUNT)
+#define INSERTED_AS_DRAWN 1
+#include "Adaptive/Visibility.glsl"
+#include "Common/Pixels.glsl"
+#include "Common/Tile.glsl"
+
+uniform int gatherStage;
+
+void loadVisibility(PixelRecord record, uint count, out Visibility visibility)
+{
+  clearVisibility(visibility);
+  float last = 1.0;
+#define LOAD(k) \
+  if (uint(k) < count) \
+  { \
+    visibility.z[k] = uintBitsToFloat(recordWord(record, 2 * (k))); \
+    last = uintBitsToFloat(recordWord(record, 2 * (k) + 1)); \
+  } \
+  visibility.t[k] = last; // of nodes that are not in use, the total transmittance
+  EACH_NODE(LOAD)
+  visibility.t[NODE_COUNT] = last;
+}
+
+void storeVisibility(PixelRecord record, uint count, Visibility visibility)
+{
+#define STORE(k) \
+  if (uint(k) < count) \
+  { \
+    setRecordWord(record, 2 * (k), floatBitsToUint(visibility.z[k])); \
+    setRecordWord(record, 2 * (k) + 1, floatBitsToUint(visibility.t[k])); \
+  }
+  EACH_NODE(STORE)
+  setRecordCount(record, count);
+}
+
+// What a fragment finds at its depth.
+struct Lookup
+{
+  float before;   // the transmittance before it
+  int own;        // its node, if coincident is not 0:
+  int coincident; // the nodes of its depth
+};
+
+Lookup lookUp(Visibility visibility, float depth)
+{
+  Lookup found = Lookup(1.0, 0, 0);
+  float inFront = 1.0;
+  bool here;
+#define LOOK_UP(k) \
+  here = visibility.z[k] == depth; \
+  found.before = here ? inFront : found.before; \
+  found.own = here ? (k) : found.own; \
+  found.coincident += here ? 1 : 0; \
+  found.before = visibility.z[k] < depth ? visibility.t[k] : found.before; \
+  inFront = visibility.t[k];
+  EACH_NODE(LOOK_UP)
+  return found;
+}
+
+// Loops that end after their first round: compilers for a CPU turn an if into arithmetic, which would take its time in the other stage, too.
+float visitPixel(PixelRecord record, float alpha, float depth)
+{
+  uint count = recordCount(record);
+  Visibility visibility;
+  loadVisibility(record, count, visibility);
+  bool building = gatherStage == 0;
+  bool shading = !building;
+  while (building)
+  {
+    insertFragment(visibility, depth, alpha, int(count));
+    storeVisibility(record, min(count + 1u, uint(NODE_COUNT)), visibility);
+    building = false;
+  }
+  Lookup found = Lookup(1.0, 0, 0);
+  while (shading)
+  {
+    found = lookUp(visibility, depth);
+    if (found.coincident > 1)
+    {
+      setRecordWord(record, 2 * found.own, floatBitsToUint(depth) + 1u);
+    }
+    shading = false;
+  }
+  return found.before;
+}
+
+void gatherFragment(vec4 color, float depth, out vec4 outputs[1])
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+#if SAMPLES > 1
+  int index = gl_SampleID;
+#else
+  int index = 0;
+#endif
+  float before = 0.0;
+  if (inTile(pixel))
+  {
+    CRITICAL_SECTION(pixel, before = visitPixel(pixelRecord(pixel, index), color.a, depth))
+  }
+  outputs[0] = vec4(before * color.a * color.rgb, color.a);
+}
