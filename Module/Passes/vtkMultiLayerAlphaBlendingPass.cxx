@@ -13,7 +13,18 @@ namespace
 {
 constexpr int LeastLayers = 1;
 constexpr int MostLayers = 32;
-constexpr int WordsOfLayer = 3; // MultiLayer/Layers.glsl
+
+// MultiLayer/Layers.glsl
+constexpr int WordsOfLayer = 3;
+constexpr int WordsOfAverage = 5;
+const char* const Tails[] = { "TAIL_MERGE", "TAIL_DROP", "TAIL_AVERAGE" };
+}
+
+//------------------------------------------------------------------------------
+vtkMultiLayerAlphaBlendingPass::vtkMultiLayerAlphaBlendingPass(int tail)
+  : DefaultTail(tail)
+  , Tail(tail)
+{
 }
 
 //------------------------------------------------------------------------------
@@ -27,6 +38,7 @@ void vtkMultiLayerAlphaBlendingPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "Tail: " << Tails[this->Tail] << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }
 
@@ -41,6 +53,21 @@ void vtkMultiLayerAlphaBlendingPass::SetLayers(int layers)
   if (this->Layers != layers)
   {
     this->Layers = layers;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiLayerAlphaBlendingPass::SetTail(int tail)
+{
+  if (tail < Merge || tail > Average)
+  {
+    vtkErrorMacro(<< "Tail is " << tail << ", expected Merge (0), Drop (1) or Average (2)");
+    return;
+  }
+  if (this->Tail != tail)
+  {
+    this->Tail = tail;
     this->Modified();
   }
 }
@@ -65,8 +92,11 @@ std::vector<vtkTranslucencyOption> vtkMultiLayerAlphaBlendingPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   return { { "Layers", "layers", Kind::Integer, 4, LeastLayers, MostLayers, {},
-             "layers of a pixel; what lies behind them is merged into the last", [this] { return this->GetLayers(); },
+             "layers of a pixel", [this] { return this->GetLayers(); },
              [this](double value) { this->SetLayers(static_cast<int>(value)); } },
+    { "Tail", "tail", Kind::Choice, static_cast<double>(this->DefaultTail), 0, 2, { "merge", "drop", "average" },
+      "what becomes of fragments behind the layers: merged into the last, left out, or averaged behind it",
+      [this] { return this->GetTail(); }, [this](double value) { this->SetTail(static_cast<int>(value)); } },
     this->GetCriticalSectionOption(),
     { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
       "graphics memory for layers, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's memory, or 2048",
@@ -83,10 +113,12 @@ std::string vtkMultiLayerAlphaBlendingPass::GetMissing(vtkOpenGLRenderWindow* wi
 //------------------------------------------------------------------------------
 bool vtkMultiLayerAlphaBlendingPass::RenderStages(vtkTranslucencyFrame& frame)
 {
-  const vtkTranslucencyFrame::Defines layers{ { "LAYERS", std::to_string(this->Layers) } };
+  const vtkTranslucencyFrame::Defines layers{ { "LAYERS", std::to_string(this->Layers) },
+    { "TAIL", Tails[this->Tail] } };
+  const int words = this->Layers * WordsOfLayer + (this->Tail == Average ? WordsOfAverage : 0);
   vtkTranslucencyFrame::Gathering gathering{ "MultiLayer/Gather.glsl", layers };
   gathering.Critical = true;
-  return frame.UsePixels(this->Pixels, this->Layers * WordsOfLayer, this->MemoryLimit) && frame.Draw(gathering, {}) &&
+  return frame.UsePixels(this->Pixels, words, this->MemoryLimit) && frame.Draw(gathering, {}) &&
     frame.Composite("MultiLayer/Resolve.glsl", layers, {});
 }
 

@@ -7,9 +7,12 @@
  * than Layers surfaces lie behind each other; beyond, wrong where a fragment comes later that belongs between two that were merged. What shows
  * through is always right.
  *
+ * Tail says what else can become of what does not find room: vtkKBufferPass leaves it out, vtkHybridTransparencyPass averages it.
+ *
  * Stages:
- * 1. Gather: layers are inserted and merged, under a critical section (12 bytes a layer, and 4, a pixel and sample).
- * 2. Composite: the layers one behind the other.
+ * 1. Gather: layers are inserted, and what is too much goes to the tail, under a critical section (12 bytes a layer, and 4, a pixel and
+ *    sample; 20 more if Tail is Average).
+ * 2. Composite: the layers one behind the other, and the tail behind them.
  */
 #ifndef vtkMultiLayerAlphaBlendingPass_h
 #define vtkMultiLayerAlphaBlendingPass_h
@@ -32,6 +35,23 @@ public:
   vtkGetMacro(Layers, int);
   ///@}
 
+  enum TailType
+  {
+    Merge = 0,
+    Drop = 1,
+    Average = 2
+  };
+
+  ///@{
+  /**
+   * What becomes of the farthest fragment where there are more than Layers: it is blended into the last layer (Merge, the default), left
+   * out (Drop: what lies behind shows through too much), or added to the opacity-weighted mean of all such (Average: what shows through stays
+   * right). Another value is an error and changes nothing.
+   */
+  void SetTail(int tail);
+  vtkGetMacro(Tail, int);
+  ///@}
+
   ///@{
   /**
    * The most graphics memory that the layers may take, in MiB; pictures for which that is not enough are drawn in tiles. 0 (the default)
@@ -46,12 +66,15 @@ public:
 
 protected:
   vtkMultiLayerAlphaBlendingPass() = default;
+  explicit vtkMultiLayerAlphaBlendingPass(int tail);
   ~vtkMultiLayerAlphaBlendingPass() override;
 
   bool RenderStages(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
+  const int DefaultTail = Merge;
+  int Tail = Merge;
   int Layers = 4;
   double MemoryLimit = 0;
 

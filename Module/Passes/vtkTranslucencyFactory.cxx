@@ -2,6 +2,8 @@
 
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
+#include "vtkHybridTransparencyPass.h"
+#include "vtkKBufferPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
@@ -54,6 +56,9 @@ const Technique Techniques[] = {
     NewPass<vtkAdaptiveTransparencyPass> },
   { "mlab", "multi-layer alpha blending: the nearest layers of a pixel, and the rest merged into the last",
     NewPass<vtkMultiLayerAlphaBlendingPass> },
+  { "kbuffer", "k-buffer: the nearest fragments of a pixel exactly, and no others", NewPass<vtkKBufferPass> },
+  { "hybrid", "hybrid transparency: the nearest fragments of a pixel exactly, and the mean of the others behind them",
+    NewPass<vtkHybridTransparencyPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
   { "blend", "VTK's plain blending, in drawing order: wrong where surfaces overlap out of order",

@@ -1,6 +1,7 @@
 #include "Reference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -171,6 +172,122 @@ Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, R
       pixel.Rgb[c] += weight * fragment->Rgb[c];
     }
     pixel.Transmittance *= 1 - fragment->Alpha;
+  }
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail tail)
+{
+  struct Layer
+  {
+    double Depth;
+    Pixel Content;
+  };
+  const auto addBehind = [](Pixel& front, const Pixel& back)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      front.Rgb[c] += front.Transmittance * back.Rgb[c];
+    }
+    front.Transmittance *= back.Transmittance;
+  };
+  std::vector<Layer> kept; // front to back
+  Pixel averaged;
+  double opacities = 0;
+  for (const Fragment& fragment : fragments)
+  {
+    const auto place = std::find_if(
+      kept.begin(), kept.end(), [&](const Layer& layer) { return fragment.Depth <= layer.Depth; });
+    kept.insert(place, { fragment.Depth, CompositeExact({ fragment }) });
+    if (static_cast<int>(kept.size()) <= layers)
+    {
+      continue;
+    }
+    const Pixel last = kept.back().Content;
+    kept.pop_back();
+    if (tail == Tail::Merge)
+    {
+      addBehind(kept.back().Content, last);
+    }
+    else if (tail == Tail::Average)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        averaged.Rgb[c] += last.Rgb[c];
+      }
+      averaged.Transmittance *= last.Transmittance;
+      opacities += 1 - last.Transmittance;
+    }
+  }
+  Pixel pixel;
+  for (const Layer& layer : kept)
+  {
+    addBehind(pixel, layer.Content);
+  }
+  for (double& channel : averaged.Rgb)
+  {
+    channel *= opacities > 0 ? (1 - averaged.Transmittance) / opacities : 0;
+  }
+  addBehind(pixel, averaged);
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeWeightedSum(const std::vector<Fragment>& fragments)
+{
+  Pixel pixel;
+  for (const Fragment& fragment : fragments)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pixel.Rgb[c] += fragment.Alpha * fragment.Rgb[c];
+    }
+    pixel.Transmittance -= fragment.Alpha;
+  }
+  pixel.Transmittance = std::max(0.0, pixel.Transmittance);
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeWeightedAverage(const std::vector<Fragment>& fragments)
+{
+  Pixel pixel;
+  double opacities = 0;
+  for (const Fragment& fragment : fragments)
+  {
+    opacities += fragment.Alpha;
+  }
+  const auto count = static_cast<double>(fragments.size());
+  pixel.Transmittance = fragments.empty() ? 1 : std::pow(1 - opacities / count, count);
+  for (const Fragment& fragment : fragments)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pixel.Rgb[c] += (1 - pixel.Transmittance) * fragment.Alpha / opacities * fragment.Rgb[c];
+    }
+  }
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeWeightedBlended(const std::vector<Fragment>& fragments, const std::function<double(double)>& weight)
+{
+  Pixel pixel;
+  double weights = 0;
+  for (const Fragment& fragment : fragments)
+  {
+    const double weighted = weight(fragment.Depth) * fragment.Alpha;
+    weights += weighted;
+    pixel.Transmittance *= 1 - fragment.Alpha;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pixel.Rgb[c] += weighted * fragment.Rgb[c];
+    }
+  }
+  for (double& channel : pixel.Rgb)
+  {
+    channel *= weights > 0 ? (1 - pixel.Transmittance) / weights : 0;
   }
   return pixel;
 }

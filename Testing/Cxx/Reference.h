@@ -9,6 +9,7 @@
 #define Reference_h
 
 #include <array>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -85,6 +86,26 @@ Pixel CompositeIterative(const std::vector<Fragment>& fragments);
 
 /// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first.
 Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal);
+
+enum class Tail
+{
+  Merge,
+  Drop,
+  Average
+};
+
+/// The nearest fragments exactly, of each moment of the drawing; what was too much then is merged into the farthest of them (Salvi and
+/// Vaidyanathan 2014), dropped (Bavoil et al. 2007) or averaged (Maule et al. 2013).
+Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail tail);
+
+/// Meshkin 2007: sums, of which the transmittance can't be less than 0 in a framebuffer of bytes.
+Pixel CompositeWeightedSum(const std::vector<Fragment>& fragments);
+
+/// Bavoil and Myers 2008.
+Pixel CompositeWeightedAverage(const std::vector<Fragment>& fragments);
+
+/// McGuire and Bavoil 2013, with a weight for each depth.
+Pixel CompositeWeightedBlended(const std::vector<Fragment>& fragments, const std::function<double(double)>& weight);
 }
 
 #endif

@@ -1,6 +1,7 @@
-// MultiLayer/Resolve.glsl: the layers of a pixel, or a sample of it, one behind the other.
+// MultiLayer/Resolve.glsl: the layers of a pixel, or a sample of it, one behind the other, and what its tail holds behind them: the mean colour,
+// as opaque as all of it together.
 //
-// Needs: LAYERS, SAMPLES.
+// Needs: LAYERS, TAIL, SAMPLES.
 #include "MultiLayer/Layers.glsl"
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
@@ -20,6 +21,14 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
       transmittance *= layer.a;
     }
   }
+#if TAIL == TAIL_AVERAGE
+  if (count > uint(LAYERS))
+  {
+    Tail tail = loadTail(record);
+    color += transmittance * (1.0 - tail.transmittance) * tail.sums.rgb / max(tail.sums.a, 1e-30);
+    transmittance *= tail.transmittance;
+  }
+#endif
   return count > 0u;
 }
 

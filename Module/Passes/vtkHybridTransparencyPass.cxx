@@ -1,0 +1,5 @@
+#include "vtkHybridTransparencyPass.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkHybridTransparencyPass);

@@ -1,0 +1,5 @@
+#include "vtkKBufferPass.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkKBufferPass);
