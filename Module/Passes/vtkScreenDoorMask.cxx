@@ -12,31 +12,33 @@ class Pattern
 public:
   explicit Pattern(int size)
     : Size(size)
-    , Filled(size * size, false)
+    , Filled(size * size, 0)
     , Crowd(size * size, 0.0)
-    , Kernel(size * size)
+    , Kernel(2 * size * size)
   {
     constexpr double sigma = 1.5; // cells, Ulichney's choice
-    for (int cell = 0; cell < size * size; ++cell)
+    for (int i = 0; i < 2 * size * size; ++i)
     {
-      const int x = std::min(cell % size, size - cell % size);
-      const int y = std::min(cell / size, size - cell / size);
-      this->Kernel[cell] = std::exp(-(x * x + y * y) / (2 * sigma * sigma));
+      const int x = std::min(i % size, size - i % size);
+      const int y = std::min(i / (2 * size), size - i / (2 * size));
+      this->Kernel[i] = std::exp(-(x * x + y * y) / (2 * sigma * sigma));
     }
   }
 
-  bool IsFilled(int cell) const { return this->Filled[cell]; }
+  bool IsFilled(int cell) const { return this->Filled[cell] != 0; }
 
   void Set(int cell, bool filled)
   {
-    this->Filled[cell] = filled;
+    this->Filled[cell] = filled ? 1 : 0;
     const double sign = filled ? 1 : -1;
     for (int y = 0; y < this->Size; ++y)
     {
-      const int row = (y + this->Size - cell / this->Size) % this->Size * this->Size;
+      const int up = (y + this->Size - cell / this->Size) % this->Size;
+      const double* kernel = &this->Kernel[up * 2 * this->Size + this->Size - cell % this->Size];
+      double* crowd = &this->Crowd[y * this->Size];
       for (int x = 0; x < this->Size; ++x)
       {
-        this->Crowd[y * this->Size + x] += sign * this->Kernel[row + (x + this->Size - cell % this->Size) % this->Size];
+        crowd[x] += sign * kernel[x];
       }
     }
   }
@@ -61,7 +63,7 @@ private:
     int best = -1;
     for (int cell = 0; cell < this->Size * this->Size; ++cell)
     {
-      if (this->Filled[cell] == filled && (best < 0 || better(cell, best)))
+      if (this->IsFilled(cell) == filled && (best < 0 || better(cell, best)))
       {
         best = cell;
       }
@@ -70,9 +72,9 @@ private:
   }
 
   int Size;
-  std::vector<bool> Filled;
+  std::vector<char> Filled;
   std::vector<double> Crowd;
-  std::vector<double> Kernel;
+  std::vector<double> Kernel; // each row twice, so that it need not be wrapped around
 };
 
 /// A tenth of the cells, scattered at random and then moved apart until the tightest cluster lies where the largest void would be.
