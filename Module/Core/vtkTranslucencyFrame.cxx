@@ -13,6 +13,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
@@ -471,33 +472,83 @@ void vtkTranslucencyFrame::PrepareDrawing()
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyFrame::DrawGeometry(const Blending* blending)
+void vtkTranslucencyFrame::PrepareColors(const Stage& stage)
+{
+  struct Functions
+  {
+    unsigned int Equation;
+    unsigned int Source;
+    unsigned int Destination;
+    unsigned int SourceAlpha;
+    unsigned int DestinationAlpha;
+  };
+  static const std::map<Blending, Functions> blendings{
+    { Blending::Add, { GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ONE, GL_ONE } },
+    { Blending::AddAndAttenuate, { GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } },
+    { Blending::Over, { GL_FUNC_ADD, GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } },
+    { Blending::Under, { GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } },
+    { Blending::Minimum, { GL_MIN, GL_ONE, GL_ONE, GL_ONE, GL_ONE } },
+    { Blending::Maximum, { GL_MAX, GL_ONE, GL_ONE, GL_ONE, GL_ONE } },
+  };
+  vtkOpenGLState* state = this->Window->GetState();
+  state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const auto found = blendings.find(stage.Blend);
+  state->SetEnumState(GL_BLEND, found != blendings.end());
+  if (found != blendings.end())
+  {
+    const Functions& blend = found->second;
+    state->vtkglBlendEquation(blend.Equation);
+    state->vtkglBlendFuncSeparate(blend.Source, blend.Destination, blend.SourceAlpha, blend.DestinationAlpha);
+  }
+  if (stage.HidesBehind)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
   this->PrepareDrawing();
-  if (blending)
+  if (colors)
   {
-    vtkOpenGLState* state = this->Window->GetState();
-    const bool attenuates = *blending == Blending::AddAndAttenuate;
-    state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendEquation(*blending == Blending::Minimum ? GL_MIN
-        : *blending == Blending::Maximum                     ? GL_MAX
-                                                             : GL_FUNC_ADD);
-    state->vtkglBlendFuncSeparate(
-      GL_ONE, GL_ONE, attenuates ? GL_ZERO : GL_ONE, attenuates ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    this->PrepareColors(stage);
   }
+  kept.GatherWritesDepth = stage.HidesBehind;
   if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
   {
     kept.OpaqueDepth->Activate();
   }
-  this->Pass->PreRender(this->State);
-  kept.Gathering = true;
-  this->Pass->TranslucentPass->Render(this->State);
-  kept.Gathering = false;
-  this->Pass->PostRender(this->State);
+  kept.RenderedProps = 0;
+  const auto draw = [this, &kept](const vtkRenderState* state) {
+    kept.Hook->PreRender(state);
+    kept.Gathering = true;
+    this->Pass->TranslucentPass->Render(state);
+    kept.Gathering = false;
+    kept.Hook->PostRender(state);
+    kept.RenderedProps += this->Pass->TranslucentPass->GetNumberOfRenderedProps();
+  };
+  if (stage.Parts.empty())
+  {
+    draw(this->State);
+  }
+  for (const Part& part : stage.Parts)
+  {
+    std::vector<vtkProp*> props{ part.Prop };
+    vtkRenderState one(this->State->GetRenderer());
+    vtkTranslucencySetProps(one, props, this->State);
+    kept.GatherUniforms["gatherPart"] = part.Number;
+    kept.GatherFaces = part.Drawn;
+    draw(&one);
+    if (part.Drawn != Faces::All) // what follows need not care for culling
+    {
+      this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
+    }
+    kept.GatherFaces = Faces::All;
+  }
   if (kept.OpaqueDepthCaptured)
   {
     kept.OpaqueDepth->Deactivate();
@@ -521,11 +572,11 @@ bool vtkTranslucencyFrame::DrawVolumes()
     std::vector<vtkProp*> props{ prop };
     vtkRenderState one(this->State->GetRenderer());
     vtkTranslucencySetProps(one, props, this->State);
-    this->Pass->PreRender(&one);
+    kept.Hook->PreRender(&one);
     kept.Gathering = true;
     kept.Volumes.Gather(&one);
     kept.Gathering = false;
-    this->Pass->PostRender(&one);
+    kept.Hook->PostRender(&one);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // the next one changes the same lists
   }
   return true;
@@ -550,7 +601,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
     {
       this->UseTile();
       kept.GatherError.clear();
-      this->DrawGeometry();
+      this->DrawGeometry(Stage(), false);
       outcome = storage->End();
       if (outcome == Outcome::Complete && !kept.Volumes.GetProps().empty()) // they go through whole lists only
       {
@@ -640,6 +691,38 @@ bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::UseTable(vtkTranslucencyBuffer& table, const std::vector<unsigned int>& words)
+{
+  if (!table.Upload(words.data(), static_cast<vtkTypeInt64>(words.size() * sizeof(unsigned int))))
+  {
+    return this->Fail("the driver has no memory for a table of " + std::to_string(words.size()) + " words");
+  }
+  table.BindStorage(STORAGE_BINDING_TABLE);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkTranslucencyFrame::GetProps() const
+{
+  std::vector<vtkProp*> props;
+  for (int i = 0; i < vtkTranslucencyPropCount(this->State); ++i)
+  {
+    vtkProp* prop = vtkTranslucencyProp(this->State, i);
+    if (prop->HasTranslucentPolygonalGeometry())
+    {
+      props.push_back(prop);
+    }
+  }
+  return props;
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkTranslucencyFrame::GetRenderer() const
+{
+  return this->State->GetRenderer();
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
@@ -650,7 +733,7 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
   vtkOpenGLState* state = this->Window->GetState();
   if (stage.Targets)
   {
-    const std::string obstacle = stage.Targets->Bind(this->Window);
+    const std::string obstacle = stage.Targets->Bind(this->Window, stage.HidesBehind);
     if (!obstacle.empty())
     {
       return this->Fail(obstacle);
@@ -658,13 +741,17 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     stage.Targets->Clear(stage.Clear);
   }
+  else
+  {
+    this->UseTile();
+  }
   {
     const ScopedInputs inputs(this->Window, stage.Inputs);
     kept.GatherUniforms = stage.Values;
     kept.GatherUniforms["gatherStage"] = stage.Number;
     kept.GatherUniforms.insert(inputs.GetUnits().begin(), inputs.GetUnits().end());
     kept.GatherError.clear();
-    this->DrawGeometry(stage.Targets ? &stage.Blend : nullptr);
+    this->DrawGeometry(stage, gathering.Outputs > 0);
   }
   if (stage.Targets)
   {
@@ -861,6 +948,7 @@ void vtkTranslucencyFrame::Blend()
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->Pass->TranslucentPass->Render(this->State);

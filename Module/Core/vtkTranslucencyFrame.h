@@ -27,7 +27,10 @@
 
 class vtkFragmentStorage;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkRenderState;
+class vtkRenderer;
+class vtkTranslucencyBuffer;
 class vtkTranslucencyGLState;
 class vtkTranslucencyPass;
 class vtkTranslucencyPixels;
@@ -60,8 +63,11 @@ public:
 
   enum class Blending
   {
+    Replace,          ///< fragments take the place of what is there
     Add,              ///< all channels
     AddAndAttenuate,  ///< colour is added, alpha multiplied with 1 - alpha
+    Over,             ///< before what is there: front's colours, multiplied by their opacity, and opacity
+    Under,            ///< behind it: alpha is what is still seen, from 1 on
     Minimum,
     Maximum
   };
@@ -74,12 +80,29 @@ public:
     int Index;
   };
 
+  enum class Faces
+  {
+    All = 0,
+    Back = 1,
+    Front = 2
+  };
+
+  /// A prop that is drawn by itself.
+  struct Part
+  {
+    vtkProp* Prop;
+    int Number; ///< what shaders see as their uniform gatherPart
+    Faces Drawn = Faces::All; ///< of its polygons; lines and points have no faces and are drawn in any case
+  };
+
   /// One drawing of the translucent props.
   struct Stage
   {
     int Number = 0;
-    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before; null: no colours
+    std::vector<Part> Parts; ///< drawn in this order; empty: all props, in theirs
+    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before; null: colours go over the opaque picture
     Blending Blend = Blending::Add;
+    bool HidesBehind = false; ///< fragments write depth, to a depth buffer of the targets that starts as the opaque one
     std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
     std::vector<Input> Inputs;
     Uniforms Values;
@@ -90,6 +113,13 @@ public:
 
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
+
+  /// Gives the shaders words to read (STORAGE_BINDING_TABLE in Shaders/Common/Bindings.glsl).
+  bool UseTable(vtkTranslucencyBuffer& table, const std::vector<unsigned int>& words);
+
+  /// The translucent props, in the order of drawing.
+  std::vector<vtkProp*> GetProps() const;
+  vtkRenderer* GetRenderer() const;
 
   /// Draws the translucent props.
   bool Draw(const Gathering& gathering, const Stage& stage);
@@ -165,7 +195,8 @@ private:
   bool NeedsDepthTest();
   void PrepareDrawing();
   void DrawVertices(unsigned int primitive, int count);
-  void DrawGeometry(const Blending* blending = nullptr); // of colours that are drawn, null if none are
+  void DrawGeometry(const Stage& stage, bool colors);
+  void PrepareColors(const Stage& stage);
   void PrepareBlending();
   std::map<std::string, std::string> GetSelection() const;
   bool DrawVolumes();

@@ -25,6 +25,7 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bo
   this->ProgramPointSize = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
   glGetFloatv(GL_LINE_WIDTH, &this->LineWidth);
   glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
+  glGetIntegerv(GL_CULL_FACE_MODE, &this->CulledFaces);
   glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
   glGetIntegerv(GL_CURRENT_PROGRAM, &this->Program);
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
@@ -108,6 +109,7 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
   state->vtkglLineWidth(this->LineWidth);
   state->vtkglActiveTexture(static_cast<unsigned int>(this->ActiveTexture));
   state->vtkglDepthFunc(static_cast<unsigned int>(this->DepthFunction));
+  state->vtkglCullFace(static_cast<unsigned int>(this->CulledFaces));
   state->vtkglDepthMask(this->DepthMask);
   state->vtkglColorMask(
     this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);

@@ -51,6 +51,7 @@ private:
   float LineWidth;
   unsigned char DepthMask;
   int DepthFunction;
+  int CulledFaces;
   int ActiveTexture;
   int Program;
   int VertexArray;

@@ -30,6 +30,42 @@ class vtkRenderStepsPass;
 class vtkShaderProgram;
 class vtkTextureObject;
 
+/// What stands for a pass in the mappers' shaders. Mappers refer to it until they draw without it: it must not keep the pass alive, which may
+/// own mappers.
+class vtkTranslucencyHook : public vtkOpenGLRenderPass
+{
+public:
+  static vtkTranslucencyHook* New();
+  vtkTypeMacro(vtkTranslucencyHook, vtkOpenGLRenderPass);
+
+  using vtkOpenGLRenderPass::PostRender;
+  using vtkOpenGLRenderPass::PreRender;
+
+  void Render(const vtkRenderState*) override {}
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader,
+    vtkAbstractMapper* mapper, vtkProp* prop) override
+  {
+    return !this->Pass || this->Pass->PreReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
+  }
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader,
+    vtkAbstractMapper* mapper, vtkProp* prop) override
+  {
+    return !this->Pass || this->Pass->PostReplaceShaderValues(vertexShader, geometryShader, fragmentShader, mapper, prop);
+  }
+  bool SetShaderParameters(
+    vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject* VAO) override
+  {
+    return !this->Pass || this->Pass->SetShaderParameters(program, mapper, prop, VAO);
+  }
+  vtkMTimeType GetShaderStageMTime() override { return this->Pass ? this->Pass->GetShaderStageMTime() : 0; }
+
+  vtkTranslucencyPass* Pass = nullptr; // null once it is gone
+
+protected:
+  vtkTranslucencyHook() = default;
+  ~vtkTranslucencyHook() override = default;
+};
+
 struct vtkTranslucencyPass::Internals
 {
   /// Deletes all OpenGL objects if their window is given, and forgets them if not.
@@ -40,12 +76,17 @@ struct vtkTranslucencyPass::Internals
   void* Context = nullptr;
   vtkTranslucencyCapabilities Capabilities;
 
+  vtkNew<vtkTranslucencyHook> Hook;
+
   // Gather: the text that goes into the mappers' shaders, what it was made from, and when it last changed.
   std::string GatherKey;
   std::string GatherText;
   std::string GatherCall;    // the call of it; GATHERED_DEPTH stands for the fragment's depth
   bool GatherStores = false; // whether it has effects besides the colours that it draws
   vtkTimeStamp GatherTextTime;
+  bool GatherWritesDepth = false;
+  vtkTranslucencyFrame::Faces GatherFaces = vtkTranslucencyFrame::Faces::All;
+  int RenderedProps = 0; // by the last drawing
   bool Gathering = false;
   vtkTranslucencyFrame::Uniforms GatherUniforms; // of the stage, its samplers' texture units among them
   std::string GatherError; // of a mapper whose shader has no place for the call

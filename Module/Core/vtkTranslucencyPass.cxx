@@ -8,6 +8,7 @@
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkActor.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
@@ -15,6 +16,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -38,6 +40,21 @@ bool HasTranslucentGeometry(const vtkRenderState* state)
     }
   }
   return false;
+}
+
+// Draws these faces only, of them those that the actor's own culling leaves: set when the actor is about to be drawn, after its property.
+void CullFaces(vtkOpenGLState* state, vtkTranslucencyFrame::Faces drawn, vtkProp* prop)
+{
+  if (drawn == vtkTranslucencyFrame::Faces::All)
+  {
+    return;
+  }
+  const bool back = drawn == vtkTranslucencyFrame::Faces::Back;
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool hidden =
+    actor && (back ? actor->GetProperty()->GetBackfaceCulling() : actor->GetProperty()->GetFrontfaceCulling());
+  state->vtkglEnable(GL_CULL_FACE);
+  state->vtkglCullFace(hidden ? GL_FRONT_AND_BACK : back ? GL_FRONT : GL_BACK);
 }
 
 // True if a fragment shader gives its fragments a depth of its own.
@@ -66,17 +83,20 @@ public:
   vtkTranslucencyPass* Pass = nullptr;
 };
 vtkStandardNewMacro(vtkTranslucencyStep);
+vtkStandardNewMacro(vtkTranslucencyHook);
 
 //------------------------------------------------------------------------------
 vtkTranslucencyPass::vtkTranslucencyPass()
   : Internal(new Internals)
 {
+  this->Internal->Hook->Pass = this;
   this->TranslucentPass = vtkTranslucentPass::New();
 }
 
 //------------------------------------------------------------------------------
 vtkTranslucencyPass::~vtkTranslucencyPass()
 {
+  this->Internal->Hook->Pass = nullptr;
   this->ReleaseGraphicsResources(nullptr);
   this->SetTranslucentPass(nullptr);
   this->SetVolumetricPass(nullptr);
@@ -421,7 +441,7 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
   kept.Statistics->SetResolveTime(kept.ResolveTime);
   kept.Statistics->SetDeepestPixel(kept.GetResolveStatistics().DeepestPixel);
   this->NumberOfRenderedProps =
-    this->TranslucentPass->GetNumberOfRenderedProps() + static_cast<int>(kept.Volumes.GetProps().size());
+    kept.RenderedProps + static_cast<int>(kept.Volumes.GetProps().size());
   if (kept.GetResolveStatistics().Unfinished)
   {
     vtkErrorMacro(<< "a pixel has more fragments than the driver's loops can take; it is drawn incompletely");
@@ -550,7 +570,7 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   Internals& kept = *this->Internal;
   if (!kept.Gathering)
@@ -563,7 +583,8 @@ bool vtkTranslucencyPass::SetShaderParameters(
     return true;
   }
   // vtkOpenGLImageSliceMapper turns it on and, like the mappers of points and edges, leaves it on.
-  kept.Window->GetState()->vtkglDepthMask(GL_FALSE);
+  kept.Window->GetState()->vtkglDepthMask(kept.GatherWritesDepth ? GL_TRUE : GL_FALSE);
+  CullFaces(kept.Window->GetState(), kept.GatherFaces, prop);
   vtkTranslucencyFrame::SetUniforms(program, kept.GatherUniforms);
   const char* sampler = "translucencyOpaqueDepth";
   if (!program->IsUniformUsed(sampler))

@@ -29,6 +29,29 @@ GLint DepthAttachment(unsigned int framebuffer, GLenum what)
   }
   return value;
 }
+
+// A depth buffer can be copied to one of its own format only.
+GLenum FindDepthFormat(GLenum type, GLuint depth, GLint level, bool several)
+{
+  GLint format = 0;
+  GLint bound = 0;
+  if (type == GL_TEXTURE)
+  {
+    const GLenum target = several ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    glGetIntegerv(several ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &bound);
+    glBindTexture(target, depth);
+    glGetTexLevelParameteriv(target, level, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    glBindTexture(target, static_cast<GLuint>(bound));
+  }
+  else
+  {
+    glGetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth);
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT, &format);
+    glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  }
+  return static_cast<GLenum>(format);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -77,7 +100,27 @@ bool vtkTranslucencyTargets::Reserve(int width, int height, int samples, const s
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window)
+void vtkTranslucencyTargets::ReserveDepth(unsigned int format)
+{
+  if (this->Depth != 0 && this->DepthFormat == format)
+  {
+    return;
+  }
+  if (this->Depth == 0)
+  {
+    glGenRenderbuffers(1, &this->Depth);
+  }
+  this->DepthFormat = format;
+  GLint bound = 0;
+  glGetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+  glBindRenderbuffer(GL_RENDERBUFFER, this->Depth);
+  glRenderbufferStorageMultisample(
+    GL_RENDERBUFFER, this->Samples > 1 ? this->Samples : 0, format, this->Width, this->Height);
+  glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window, bool copyDepth)
 {
   GLint found = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &found);
@@ -109,7 +152,12 @@ std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window)
     }
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
   }
-  if (type == GL_TEXTURE)
+  if (copyDepth)
+  {
+    this->ReserveDepth(FindDepthFormat(static_cast<GLenum>(type), depth, level, this->Samples > 1));
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, this->Depth);
+  }
+  else if (type == GL_TEXTURE)
   {
     glFramebufferTexture(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth, level);
   }
@@ -121,6 +169,12 @@ std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window)
   {
     this->Unbind();
     return "the driver can't draw to floating-point colours with the window's depth buffer";
+  }
+  if (copyDepth)
+  {
+    window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(found));
+    glBlitFramebuffer(
+      0, 0, this->Width, this->Height, 0, 0, this->Width, this->Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   }
   return "";
 }
@@ -157,6 +211,10 @@ vtkTypeInt64 vtkTranslucencyTargets::GetBytes() const
   {
     floats += static_cast<int>(format);
   }
+  if (this->Depth != 0)
+  {
+    ++floats; // depths take as much
+  }
   constexpr vtkTypeInt64 bytesOfFloat = 4;
   return floats * bytesOfFloat * this->Width * this->Height * this->Samples;
 }
@@ -172,6 +230,12 @@ void vtkTranslucencyTargets::Release(bool contextAlive)
   {
     glDeleteFramebuffers(1, &this->Framebuffer);
   }
+  if (contextAlive && this->Depth != 0)
+  {
+    glDeleteRenderbuffers(1, &this->Depth);
+  }
+  this->Depth = 0;
+  this->DepthFormat = 0;
   this->Framebuffer = 0;
   this->Textures.clear();
   this->Formats.clear();

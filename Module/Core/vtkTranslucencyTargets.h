@@ -2,7 +2,8 @@
  * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage.
  *
  * They cover the framebuffer that the opaque geometry was drawn to, have as many samples, and share its depth buffer while they are drawn
- * to: nothing is copied, and fragments behind opaque geometry are rejected before they are shaded. No depth is written.
+ * to: nothing is copied, and fragments behind opaque geometry are rejected before they are shaded. Where a technique writes depth, they have
+ * a depth buffer of their own, a copy of that one: the opaque depth is never changed.
  *
  * OpenGL objects are made by Reserve and used within the frame; the owner calls Release.
  */
@@ -36,8 +37,9 @@ public:
   /// Makes buffers of these formats (at most 8). False if there is no memory for them.
   bool Reserve(int width, int height, int samples, const std::vector<Format>& formats);
 
-  /// Makes them what is drawn to, with the depth buffer of the framebuffer that was. Gives what is wrong, empty if nothing is.
-  std::string Bind(vtkOpenGLRenderWindow* window);
+  /// Makes them what is drawn to, with the depth buffer of the framebuffer that was, or with a copy of it, made within the scissor
+  /// rectangle. Gives what is wrong, empty if nothing is.
+  std::string Bind(vtkOpenGLRenderWindow* window, bool copyDepth = false);
 
   /// Sets all of them to a value, within the scissor rectangle. They have to be bound.
   void Clear(const std::array<float, 4>& value);
@@ -56,8 +58,12 @@ public:
   void Release(bool contextAlive = true);
 
 private:
+  void ReserveDepth(unsigned int format);
+
   vtkOpenGLRenderWindow* Window = nullptr; // while bound
   unsigned int Framebuffer = 0;
+  unsigned int Depth = 0; // a renderbuffer
+  unsigned int DepthFormat = 0;
   std::vector<unsigned int> Textures;
   std::vector<Format> Formats;
   int Width = 0;

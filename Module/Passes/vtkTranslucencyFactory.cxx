@@ -4,7 +4,10 @@
 #include "vtkAdaptiveTransparencyPass.h"
 #include "vtkHybridTransparencyPass.h"
 #include "vtkKBufferPass.h"
+#include "vtkAdditiveTransparencyPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
+#include "vtkScreenDoorPass.h"
+#include "vtkSortedTransparencyPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
 #include "vtkDualDepthPeelingPass.h"
@@ -61,6 +64,10 @@ const Technique Techniques[] = {
     NewPass<vtkHybridTransparencyPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
+  { "sorted", "blending in the order of depth, of objects or their polygons: right where they don't interlock",
+    NewPass<vtkSortedTransparencyPass> },
+  { "screendoor", "opaque surfaces with holes: no blending, order does not matter", NewPass<vtkScreenDoorPass> },
+  { "additive", "surfaces that shine and hide nothing", NewPass<vtkAdditiveTransparencyPass> },
   { "blend", "VTK's plain blending, in drawing order: wrong where surfaces overlap out of order",
     NewPass<vtkTranslucentPass> },
   { "vtk-oit", "VTK's order-independent pass: a weighted average, fast and approximate",

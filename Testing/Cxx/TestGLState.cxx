@@ -5,6 +5,8 @@
 #include <vtkFragmentStorage.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkTranslucencyFactory.h>
+#include <vtkTranslucencyOption.h>
 #include <vtkTranslucencyPass.h>
 #include <vtkTranslucencyStatistics.h>
 
@@ -75,6 +77,29 @@ bool IsLeftByMappers(const std::string& name)
 {
   return name.compare(0, 19, "GL_TEXTURE_BINDING_") == 0;
 }
+
+/// In several frames.
+void ExpectNothingChanges(View& view, WatchedPass* watched, bool fallsBack)
+{
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    view.Window->Render();
+    watched->Pass->GetStatistics()->GetDeepestPixel(); // reads buffers back
+    EXPECT_EQ(!watched->Pass->GetStatistics()->GetFallback().empty(), fallsBack);
+    EXPECT_EQ(watched->ErrorsBefore, std::vector<std::string>());
+    EXPECT_EQ(watched->ErrorsAfter, std::vector<std::string>());
+    EXPECT_EQ(TakeGLErrors(), std::vector<std::string>());
+    for (const auto& before : watched->Before)
+    {
+      if (!IsLeftByMappers(before.first))
+      {
+        EXPECT_EQ(before.second, watched->After[before.first]) << before.first;
+      }
+    }
+  }
+  EXPECT_GT(watched->Before.size(), 150u);
+}
 }
 
 class TestGLState
@@ -102,24 +127,7 @@ TEST_P(TestGLState, IsAsItWasFound)
   view.SetTranslucentPass(watched);
   situation.Arrange(view, pass);
 
-  for (int frame = 0; frame < 3; ++frame)
-  {
-    SCOPED_TRACE("frame " + std::to_string(frame));
-    view.Window->Render();
-    pass->GetStatistics()->GetDeepestPixel(); // reads buffers back
-    EXPECT_EQ(!pass->GetStatistics()->GetFallback().empty(), situation.FallsBack);
-    EXPECT_EQ(watched->ErrorsBefore, std::vector<std::string>());
-    EXPECT_EQ(watched->ErrorsAfter, std::vector<std::string>());
-    EXPECT_EQ(TakeGLErrors(), std::vector<std::string>());
-    for (const auto& before : watched->Before)
-    {
-      if (!IsLeftByMappers(before.first))
-      {
-        EXPECT_EQ(before.second, watched->After[before.first]) << before.first;
-      }
-    }
-  }
-  EXPECT_GT(watched->Before.size(), 150u);
+  ExpectNothingChanges(view, watched, situation.FallsBack);
   if (situation.FallsBack)
   {
     TakeMessages();
@@ -130,3 +138,62 @@ INSTANTIATE_TEST_SUITE_P(Situations, TestGLState,
   testing::Combine(testing::ValuesIn(Situations), testing::Bool()),
   [](const auto& info)
   { return std::get<0>(info.param).Name + (std::get<1>(info.param) ? "Exact" : "Adaptive"); });
+
+namespace
+{
+/// A technique's choices one by one, but for those that drivers may lack.
+std::vector<std::pair<std::string, std::string>> GetChoices(vtkTranslucencyPass* pass)
+{
+  std::vector<std::pair<std::string, std::string>> choices;
+  for (const vtkTranslucencyOption& option : pass->GetOptions())
+  {
+    for (const std::string& choice : option.Choices)
+    {
+      if (option.Name != "CriticalSection")
+      {
+        choices.emplace_back(option.Keyword, choice);
+      }
+    }
+  }
+  return choices;
+}
+
+/// Null where it is VTK's own.
+vtkSmartPointer<vtkTranslucencyPass> NewPass(const std::string& technique)
+{
+  const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(technique));
+  return vtkTranslucencyPass::SafeDownCast(pass);
+}
+}
+
+//------------------------------------------------------------------------------
+using TestGLStateOfTechniques = RenderTest;
+
+TEST_F(TestGLStateOfTechniques, IsAsItWasFound)
+{
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+    const auto declared = NewPass(name);
+    if (!declared)
+    {
+      continue;
+    }
+    auto choices = GetChoices(declared);
+    choices.emplace_back(); // all defaults
+    for (const auto& [keyword, choice] : choices)
+    {
+      for (int samples : { 0, 4 })
+      {
+        SCOPED_TRACE(name + " " + keyword + "=" + choice + ", samples " + std::to_string(samples));
+        View view(RandomLayers(100, 80, 32, 6, 0.1, 0.5), samples);
+        AddBall(view.Renderer, true, 50, 40, 0);
+        vtkNew<WatchedPass> watched;
+        watched->Pass = NewPass(name);
+        EXPECT_TRUE(keyword.empty() || watched->Pass->SetOption(keyword, choice));
+        view.SetTranslucentPass(watched);
+        ExpectNothingChanges(view, watched, false);
+      }
+    }
+  }
+}

@@ -3,6 +3,8 @@
 #include "RenderTest.h"
 
 #include <vtkActor.h>
+#include <vtkSortedTransparencyPass.h>
+#include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
 
@@ -38,7 +40,7 @@ AnalyticScene Layers()
 struct Case
 {
   std::string Name;
-  std::function<vtkSmartPointer<vtkFragmentListPass>()> New;
+  std::function<vtkSmartPointer<vtkTranslucencyPass>()> New;
   int Samples;
 };
 
@@ -88,8 +90,8 @@ TEST_P(TestLifetime, ReleasesAllThatItMade)
   watched.ExpectNoneLeft("after ReleaseGraphicsResources");
   EXPECT_EQ(Compare(view.Render(), drawn).Largest, 0);
   view.SetPass(nullptr);
-  view.Render(); // VTK's mappers keep a pass alive until they draw without it
-  EXPECT_EQ(pass->GetReferenceCount(), 1);
+  EXPECT_EQ(pass->GetReferenceCount(), 1); // mappers that have drawn with it don't keep it alive
+  view.Render();
   pass = nullptr;
   watched.ExpectNoneLeft("after its end");
 }
@@ -162,14 +164,25 @@ std::vector<Case> Cases()
   for (int samples : { 0, 4 })
   {
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
-    cases.push_back({ "Exact" + suffix,
-      [] { return vtkSmartPointer<vtkFragmentListPass>(vtkSmartPointer<vtkABufferPass>::New()); },
-      samples });
-    cases.push_back({ "Adaptive" + suffix,
+    for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+    {
+      const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+      const auto create = [name]
+      {
+        const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
+        return vtkSmartPointer<vtkTranslucencyPass>(vtkTranslucencyPass::SafeDownCast(pass));
+      };
+      if (create())
+      {
+        cases.push_back({ name + suffix, create, samples });
+      }
+    }
+    cases.push_back({ "sortedByCentroid" + suffix,
       []
       {
-        return vtkSmartPointer<vtkFragmentListPass>(
-          vtkSmartPointer<vtkAdaptiveTransparencyPass>::New());
+        auto pass = vtkSmartPointer<vtkSortedTransparencyPass>::New();
+        pass->SetOrder(vtkSortedTransparencyPass::Centroid);
+        return vtkSmartPointer<vtkTranslucencyPass>(pass);
       },
       samples });
   }

@@ -1,0 +1,108 @@
+#include "vtkScreenDoorPass.h"
+
+#include "vtkScreenDoorMask.h"
+#include "vtkTranslucencyFrame.h"
+#include "vtkTranslucencyOption.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkScreenDoorPass);
+
+namespace
+{
+const char* const Masks[] = { "Ordered4x4", "Ordered8x8", "BlueNoise" };
+constexpr int Sizes[] = { 4, 8, 64 };
+const char* const Offsets[] = { "NO_OFFSET", "OBJECT_OFFSET", "PRIMITIVE_OFFSET" };
+}
+
+//------------------------------------------------------------------------------
+vtkScreenDoorPass::~vtkScreenDoorPass()
+{
+  this->ReleaseGraphicsResources(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenDoorPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mask: " << Masks[this->Mask] << "\n";
+  os << indent << "Offset: " << Offsets[this->Offset] << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenDoorPass::SetMask(int mask)
+{
+  if (mask < Ordered4x4 || mask > BlueNoise)
+  {
+    vtkErrorMacro(<< "Mask is " << mask << ", expected Ordered4x4 (0), Ordered8x8 (1) or BlueNoise (2)");
+    return;
+  }
+  if (this->Mask != mask)
+  {
+    this->Mask = mask;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenDoorPass::SetOffset(int offset)
+{
+  if (offset < NoOffset || offset > PrimitiveOffset)
+  {
+    vtkErrorMacro(<< "Offset is " << offset << ", expected NoOffset (0), ObjectOffset (1) or PrimitiveOffset (2)");
+    return;
+  }
+  if (this->Offset != offset)
+  {
+    this->Offset = offset;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkScreenDoorPass::GetOptions()
+{
+  using Kind = vtkTranslucencyOption::Kind;
+  return { { "Mask", "mask", Kind::Choice, BlueNoise, 0, 2, { "ordered-4x4", "ordered-8x8", "blue-noise" },
+             "thresholds: regular patterns of 16 or 64 pixels, or 4096 without a pattern", [this] { return this->GetMask(); },
+             [this](double value) { this->SetMask(static_cast<int>(value)); } },
+    { "Offset", "offset", Kind::Choice, ObjectOffset, 0, 2, { "none", "object", "primitive" },
+      "what has its holes in places of its own: nothing, each object's front and back faces, or each primitive",
+      [this] { return this->GetOffset(); }, [this](double value) { this->SetOffset(static_cast<int>(value)); } } };
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenDoorPass::RenderStages(vtkTranslucencyFrame& frame)
+{
+  const int size = Sizes[this->Mask];
+  if (this->MadeMask != this->Mask)
+  {
+    this->MadeRanks = this->Mask == BlueNoise ? vtkScreenDoorMask::MakeBlueNoise(size) : vtkScreenDoorMask::MakeOrdered(size);
+    this->MadeMask = this->Mask;
+  }
+  vtkTranslucencyFrame::Stage nearest;
+  for (vtkProp* prop : frame.GetProps())
+  {
+    nearest.Parts.push_back({ prop, static_cast<int>(nearest.Parts.size()) });
+  }
+  nearest.Targets = &this->Nearest;
+  nearest.Blend = vtkTranslucencyFrame::Blending::Replace;
+  nearest.HidesBehind = true;
+  nearest.Values = { { "maskSize", size } };
+  return frame.UseTargets(this->Nearest, { 4 }) && frame.UseTable(this->Ranks, this->MadeRanks) &&
+    frame.Draw({ "ScreenDoor/Gather.glsl", { { "MASK_OFFSET", Offsets[this->Offset] } }, 1 }, nearest) &&
+    frame.Composite("ScreenDoor/Resolve.glsl", {}, { { "screenDoorNearest", &this->Nearest, 0 } });
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkScreenDoorPass::GetTechniqueBytes()
+{
+  return this->Nearest.GetBytes() + this->Ranks.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenDoorPass::ReleaseTechniqueResources(bool contextAlive)
+{
+  this->Nearest.Release(contextAlive);
+  this->Ranks.Release(contextAlive);
+}
