@@ -2,6 +2,7 @@
 
 #include "Common/Bindings.glsl"
 #include "vtkFragmentStorage.h"
+#include "vtkTranslucencyFingerprint.h"
 #include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyInternals.h"
 #include "vtkTranslucencyPixels.h"
@@ -640,6 +641,17 @@ bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::UseTable(vtkTranslucencyBuffer& buffer, const void* table, vtkTypeInt64 bytes)
+{
+  if (!buffer.Upload(table, bytes))
+  {
+    return this->Fail("the driver has no memory for a table of " + std::to_string(bytes) + " bytes");
+  }
+  buffer.BindUniform(UNIFORM_BINDING_TECHNIQUE);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
@@ -656,7 +668,10 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
       return this->Fail(obstacle);
     }
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    stage.Targets->Clear(stage.Clear);
+    if (!stage.Keep)
+    {
+      stage.Targets->Clear(stage.Clear);
+    }
   }
   {
     const ScopedInputs inputs(this->Window, stage.Inputs);
@@ -803,6 +818,19 @@ bool vtkTranslucencyFrame::SortLists(const Squares& squares)
     drawn = this->Resolve("Common/MergeRuns.glsl", {}, squares, { { "runLength", length } });
   }
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTypeUInt64> vtkTranslucencyFrame::GetFingerprint() const
+{
+  vtkTranslucencyFingerprint fingerprint;
+  for (int number : this->Drawn)
+  {
+    fingerprint.Add(number);
+  }
+  fingerprint.Add(this->TargetSamples);
+  fingerprint.AddView(this->State);
+  return fingerprint.GetNumbers();
 }
 
 //------------------------------------------------------------------------------

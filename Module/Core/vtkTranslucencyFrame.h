@@ -28,6 +28,7 @@
 class vtkFragmentStorage;
 class vtkOpenGLRenderWindow;
 class vtkRenderState;
+class vtkTranslucencyBuffer;
 class vtkTranslucencyGLState;
 class vtkTranslucencyPass;
 class vtkTranslucencyPixels;
@@ -78,11 +79,12 @@ public:
   struct Stage
   {
     int Number = 0;
-    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before; null: no colours
+    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before (but see Keep); null: no colours
     Blending Blend = Blending::Add;
     std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
     std::vector<Input> Inputs;
     Uniforms Values;
+    bool Keep = false; ///< whether Targets keep what is in them, of earlier stages or frames, instead of being cleared
   };
 
   /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
@@ -90,6 +92,9 @@ public:
 
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
+
+  /// Fills a uniform block with a table that a technique's shaders read (UNIFORM_BINDING_TECHNIQUE in Shaders/Common/Bindings.glsl).
+  bool UseTable(vtkTranslucencyBuffer& buffer, const void* table, vtkTypeInt64 bytes);
 
   /// Draws the translucent props.
   bool Draw(const Gathering& gathering, const Stage& stage);
@@ -109,6 +114,10 @@ public:
     /// Only what was left to this level.
     static Squares LeftTo(int level) { return { level, VTK_INT_MAX, VTK_INT_MAX }; }
   };
+
+  /// Numbers that differ from those of an earlier frame wherever the translucent picture may: camera, lights, props and all that they are drawn
+  /// from. For techniques that refine a view over frames while it does not change.
+  std::vector<vtkTypeUInt64> GetFingerprint() const;
 
   /// Of a pixel, as far as the window has several and the driver can tell them apart.
   int GetSamples() const { return this->Samples; }

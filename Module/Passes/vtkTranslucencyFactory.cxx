@@ -3,6 +3,7 @@
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
+#include "vtkStochasticTransparencyPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
 #include "vtkDualDepthPeelingPass.h"
@@ -54,6 +55,8 @@ const Technique Techniques[] = {
     NewPass<vtkAdaptiveTransparencyPass> },
   { "mlab", "multi-layer alpha blending: the nearest layers of a pixel, and the rest merged into the last",
     NewPass<vtkMultiLayerAlphaBlendingPass> },
+  { "stochastic", "stochastic transparency: visibility by random depth samples, right on average, with noise",
+    NewPass<vtkStochasticTransparencyPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
   { "blend", "VTK's plain blending, in drawing order: wrong where surfaces overlap out of order",

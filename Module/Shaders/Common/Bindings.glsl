@@ -18,6 +18,7 @@
 
 #define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
 #define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout
-#define UNIFORM_BINDINGS 2
+#define UNIFORM_BINDING_TECHNIQUE 2 // a table of the technique's own
+#define UNIFORM_BINDINGS 3
 
 #endif
