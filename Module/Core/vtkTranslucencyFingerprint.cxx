@@ -56,7 +56,7 @@ void vtkTranslucencyFingerprint::AddView(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  this->AddObject(renderer);
+  this->AddRenderer(renderer);
   this->Add(window->GetDesiredUpdateRate()); // by which actors choose their level of detail
   for (int i = 0; i < 4; ++i)
   {
@@ -87,9 +87,26 @@ void vtkTranslucencyFingerprint::AddView(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
+// Its modification time is another in every frame.
+void vtkTranslucencyFingerprint::AddRenderer(vtkRenderer* renderer)
+{
+  this->Numbers.push_back(reinterpret_cast<vtkTypeUInt64>(renderer));
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Add(renderer->GetAmbient()[i]);
+    this->Add(renderer->GetEnvironmentUp()[i]);
+    this->Add(renderer->GetEnvironmentRight()[i]);
+  }
+  this->Add(renderer->GetTwoSidedLighting());
+  this->Add(renderer->GetUseShadows());
+  this->Add(renderer->GetUseImageBasedLighting());
+  this->AddObject(renderer->GetEnvironmentTexture());
+  this->AddAlgorithm(renderer->GetEnvironmentTexture());
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyFingerprint::AddProp(vtkProp* prop)
 {
-  this->Numbers.push_back(reinterpret_cast<vtkTypeUInt64>(prop));
   prop->InitPathTraversal();
   while (vtkAssemblyPath* path = prop->GetNextPath())
   {
@@ -102,6 +119,7 @@ void vtkTranslucencyFingerprint::AddPath(vtkAssemblyPath* path)
 {
   vtkAssemblyNode* last = path->GetLastNode();
   vtkProp* prop = last->GetViewProp();
+  this->AddShaderProperty(prop); // first: it may be made only now, which modifies the prop
   if (path->GetNumberOfItems() == 1)
   {
     this->AddObject(prop);
@@ -113,7 +131,6 @@ void vtkTranslucencyFingerprint::AddPath(vtkAssemblyPath* path)
     this->AddMatrix(last->GetMatrix());
   }
   this->Add(prop->GetVisibility());
-  this->AddShaderProperty(prop);
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
     this->AddActor(actor);

@@ -19,6 +19,7 @@ class vtkMatrix4x4;
 class vtkObject;
 class vtkProp;
 class vtkRenderState;
+class vtkRenderer;
 class vtkTexture;
 
 class vtkTranslucencyFingerprint
@@ -34,6 +35,7 @@ private:
   void AddMatrix(vtkMatrix4x4* matrix);
   void AddData(vtkDataObject* data);
   void AddAlgorithm(vtkAlgorithm* algorithm);
+  void AddRenderer(vtkRenderer* renderer);
   void AddProp(vtkProp* prop);
   void AddPath(vtkAssemblyPath* path);
   void AddActor(vtkActor* actor);

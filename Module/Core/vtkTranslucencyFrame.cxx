@@ -823,6 +823,9 @@ bool vtkTranslucencyFrame::SortLists(const Squares& squares)
 //------------------------------------------------------------------------------
 std::vector<vtkTypeUInt64> vtkTranslucencyFrame::GetFingerprint() const
 {
+  // Gives new props room for a pass's key, which modifies them once.
+  this->Pass->PreRender(this->State);
+  this->Pass->PostRender(this->State);
   vtkTranslucencyFingerprint fingerprint;
   for (int number : this->Drawn)
   {
