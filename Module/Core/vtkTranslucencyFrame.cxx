@@ -2,6 +2,7 @@
 
 #include "Common/Bindings.glsl"
 #include "vtkFragmentStorage.h"
+#include "vtkTranslucencyFingerprint.h"
 #include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyInternals.h"
 #include "vtkTranslucencyPixels.h"
@@ -739,7 +740,10 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
       return this->Fail(obstacle);
     }
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    stage.Targets->Clear(stage.Clear);
+    if (!stage.Keep)
+    {
+      stage.Targets->Clear(stage.Clear);
+    }
   }
   else
   {
@@ -890,6 +894,22 @@ bool vtkTranslucencyFrame::SortLists(const Squares& squares)
     drawn = this->Resolve("Common/MergeRuns.glsl", {}, squares, { { "runLength", length } });
   }
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTypeUInt64> vtkTranslucencyFrame::GetFingerprint() const
+{
+  // Gives new props room for a pass's key, which modifies them once.
+  this->Pass->PreRender(this->State);
+  this->Pass->PostRender(this->State);
+  vtkTranslucencyFingerprint fingerprint;
+  for (int number : this->Drawn)
+  {
+    fingerprint.Add(number);
+  }
+  fingerprint.Add(this->TargetSamples);
+  fingerprint.AddView(this->State);
+  return fingerprint.GetNumbers();
 }
 
 //------------------------------------------------------------------------------

@@ -100,12 +100,13 @@ public:
   {
     int Number = 0;
     std::vector<Part> Parts; ///< drawn in this order; empty: all props, in theirs
-    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before; null: colours go over the opaque picture
+    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before (but see Keep); null: colours go over the opaque picture
     Blending Blend = Blending::Add;
     bool HidesBehind = false; ///< fragments write depth, to a depth buffer of the targets that starts as the opaque one
     std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
     std::vector<Input> Inputs;
     Uniforms Values;
+    bool Keep = false; ///< whether Targets keep what is in them, of earlier stages or frames, instead of being cleared
   };
 
   /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
@@ -139,6 +140,10 @@ public:
     /// Only what was left to this level.
     static Squares LeftTo(int level) { return { level, VTK_INT_MAX, VTK_INT_MAX }; }
   };
+
+  /// Numbers that differ from those of an earlier frame wherever the translucent picture may: camera, lights, props and all that they are drawn
+  /// from. For techniques that refine a view over frames while it does not change.
+  std::vector<vtkTypeUInt64> GetFingerprint() const;
 
   /// Of a pixel, as far as the window has several and the driver can tell them apart.
   int GetSamples() const { return this->Samples; }

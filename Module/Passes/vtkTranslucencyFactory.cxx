@@ -8,6 +8,7 @@
 #include "vtkMultiLayerAlphaBlendingPass.h"
 #include "vtkScreenDoorPass.h"
 #include "vtkSortedTransparencyPass.h"
+#include "vtkStochasticTransparencyPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
 #include "vtkDualDepthPeelingPass.h"
@@ -62,6 +63,8 @@ const Technique Techniques[] = {
   { "kbuffer", "k-buffer: the nearest fragments of a pixel exactly, and no others", NewPass<vtkKBufferPass> },
   { "hybrid", "hybrid transparency: the nearest fragments of a pixel exactly, and the mean of the others behind them",
     NewPass<vtkHybridTransparencyPass> },
+  { "stochastic", "stochastic transparency: visibility by random depth samples, right on average, with noise",
+    NewPass<vtkStochasticTransparencyPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
   { "sorted", "blending in the order of depth, of objects or their polygons: right where they don't interlock",

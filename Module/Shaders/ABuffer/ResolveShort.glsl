@@ -19,12 +19,9 @@
 #if SAMPLES > 1
 #include "Common/SampleColors.glsl"
 
-// A loop that ends after its first round: compilers for a CPU turn an if into arithmetic, which would take its time in pixels of which all
-// samples agree, too.
 void blendSamples(ivec2 pixel, Block block)
 {
-  bool differ = !samplesAgree();
-  while (differ)
+  if (!samplesAgree())
   {
     vec3 color[SAMPLES];
     float transmittance[SAMPLES];
@@ -47,7 +44,6 @@ void blendSamples(ivec2 pixel, Block block)
       storeSample(pixel, index, vec4(color[index], 1.0 - transmittance[index]));
     }
     leaveToLevel(pixel, LEVEL_SAMPLES);
-    differ = false;
   }
 }
 #endif

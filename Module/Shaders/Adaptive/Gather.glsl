@@ -73,29 +73,21 @@ Lookup lookUp(Visibility visibility, float depth)
   return found;
 }
 
-// Loops that end after their first round: compilers for a CPU turn an if into arithmetic, which would take its time in the other stage, too.
 float visitPixel(PixelRecord record, float alpha, float depth)
 {
   uint count = recordCount(record);
   Visibility visibility;
   loadVisibility(record, count, visibility);
-  bool building = gatherStage == 0;
-  bool shading = !building;
-  while (building)
+  if (gatherStage == 0)
   {
     insertFragment(visibility, depth, alpha, int(count));
     storeVisibility(record, min(count + 1u, uint(NODE_COUNT)), visibility);
-    building = false;
+    return 0.0;
   }
-  Lookup found = Lookup(1.0, 0, 0);
-  while (shading)
+  Lookup found = lookUp(visibility, depth);
+  if (found.coincident > 1)
   {
-    found = lookUp(visibility, depth);
-    if (found.coincident > 1)
-    {
-      setRecordWord(record, 2 * found.own, floatBitsToUint(depth) + 1u);
-    }
-    shading = false;
+    setRecordWord(record, 2 * found.own, floatBitsToUint(depth) + 1u);
   }
   return found.before;
 }
