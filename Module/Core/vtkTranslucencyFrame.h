@@ -91,6 +91,10 @@ public:
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
 
+  /// Between which depths the boxes of the translucent props lie, 0 at the near plane, 1 at the far plane, linear in the distance
+  /// (Shaders/Common/LinearDepth.glsl). All of it where a prop does not know its box.
+  std::array<double, 2> GetDepthRange() const;
+
   /// Draws the translucent props.
   bool Draw(const Gathering& gathering, const Stage& stage);
 

@@ -2,7 +2,9 @@
 
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
+#include "vtkFourierOpacityPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
+#include "vtkOpacityShadowMapPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
 #include "vtkDualDepthPeelingPass.h"
@@ -54,6 +56,10 @@ const Technique Techniques[] = {
     NewPass<vtkAdaptiveTransparencyPass> },
   { "mlab", "multi-layer alpha blending: the nearest layers of a pixel, and the rest merged into the last",
     NewPass<vtkMultiLayerAlphaBlendingPass> },
+  { "fourier", "Fourier opacity mapping: visibility from a Fourier series of absorbance, order does not matter",
+    NewPass<vtkFourierOpacityPass> },
+  { "shadowmap", "opacity shadow maps: visibility from absorbance in slices of equal depth, order does not matter",
+    NewPass<vtkOpacityShadowMapPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
   { "blend", "VTK's plain blending, in drawing order: wrong where surfaces overlap out of order",

@@ -1,0 +1,30 @@
+// OpacityShadowMap/Slices.glsl: absorbance along a ray on a uniform grid (Kim and Neumann 2001, "Opacity shadow maps").
+//
+// Each of SLICES slices of equal depth sums the absorbance of the fragments in it. In front of a depth are all slices before its own, and of
+// its own the part that the depth has passed: between the planes of the grid absorbance is interpolated.
+//
+// Valid C++, too.
+//
+// Needs: SLICES (1 to 32).  Gives: TERM_VECTORS, what Absorbance/Terms.glsl gives, basisAt.
+#ifndef Slices_glsl
+#define Slices_glsl
+#ifndef SLICES
+#error "OpacityShadowMap/Slices.glsl needs SLICES"
+#endif
+
+#define TERM_VECTORS ((SLICES + 3) / 4)
+#include "Absorbance/Terms.glsl"
+
+void basisAt(float depth, OUT(Basis) basis)
+{
+  float x = depth * float(SLICES);
+  float slice = min(floor(x), float(SLICES - 1));
+  for (int i = 0; i < TERM_VECTORS; ++i)
+  {
+    vec4 slices = vec4(0.0f, 1.0f, 2.0f, 3.0f) + float(4 * i);
+    basis.density[i] = vec4(equal(slices, vec4(slice)));
+    basis.integral[i] = clamp(vec4(x) - slices, 0.0f, 1.0f);
+  }
+}
+
+#endif
