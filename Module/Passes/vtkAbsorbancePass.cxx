@@ -72,11 +72,11 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   std::vector<vtkTranslucencyOption> options{
-    { "Memory", "memory", Kind::Choice, Fixed, 0, 1, { "fixed", "variable" },
+    { "Memory", "memory", Kind::Choice, Variable, 0, 1, { "fixed", "variable" },
       "fixed draws the geometry twice and takes the same memory for any number of fragments; variable draws it once and keeps all fragments",
       [this] { return this->GetMemory(); },
       [this](double value) { this->SetMemory(static_cast<int>(value)); } },
-    { "Bounds", "bounds", Kind::Choice, Props, 0, 1, { "fragments", "props" },
+    { "Bounds", "bounds", Kind::Choice, Fragments, 0, 1, { "fragments", "props" },
       "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, or that of all props",
       [this] { return this->GetBounds(); },
       [this](double value) { this->SetBounds(static_cast<int>(value)); } },
@@ -175,9 +175,26 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
 {
   vtkTranslucencyFrame::Defines defines = this->GetDefines();
   defines.merge(this->GetCorrection());
+  const vtkTranslucencyFrame::Uniforms range = this->GetRange(frame);
+  const std::string folder = this->GetShaderFolder();
+  vtkTranslucencyFrame::Squares squares;
+  for (int size : { 8, 16, 32 })
+  {
+    vtkTranslucencyFrame::Defines block = defines;
+    block.insert({ { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "0" },
+      { "LONGER_LEVEL", LevelText(squares.Level + 1) } });
+    squares.Most = size;
+    if (!frame.Resolve(folder + "/ResolveShort.glsl", block, squares, range))
+    {
+      return false;
+    }
+    ++squares.Level;
+    squares.Fewer = size;
+  }
+  squares.Most = VTK_INT_MAX;
   defines["UNFINISHED_LEVEL"] = LevelText(Long);
-  return frame.Resolve(this->GetShaderFolder() + "/Resolve.glsl", defines, {}, this->GetRange(frame)) &&
-    this->ResolveLeftLists(frame);
+  const bool longer = this->Storage->GetMostExpected() > squares.Fewer || frame.IsLeftTo(squares.Level);
+  return (!longer || frame.Resolve(folder + "/Resolve.glsl", defines, squares, range)) && this->ResolveLeftLists(frame);
 }
 
 //------------------------------------------------------------------------------

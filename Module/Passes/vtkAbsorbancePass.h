@@ -42,7 +42,7 @@ public:
 
   ///@{
   /**
-   * Fixed (the default) or Variable, see above. What the other one holds is released. Another value is an error and changes nothing. The
+   * Fixed or Variable (the default), see above. What the other one holds is released. Another value is an error and changes nothing. The
    * storage and its options are used by Variable only.
    */
   void SetMemory(int memory);
@@ -58,8 +58,8 @@ public:
   ///@{
   /**
    * The range of depths over which the sums are spread, the smaller the better they tell fragments apart:
-   * - Fragments: that of the pixel's fragments, as in the paper. With Fixed it takes one more drawing of the geometry.
-   * - Props (the default): that of the boxes around all translucent props, the same for the whole picture. Fragments outside, such as
+   * - Fragments (the default): that of the pixel's fragments, as in the paper. With Fixed it takes one more drawing of the geometry.
+   * - Props: that of the boxes around all translucent props, the same for the whole picture. Fragments outside, such as
    *   those of points drawn as spheres, count as being at its ends.
    * Another value is an error and changes nothing.
    */
@@ -97,8 +97,8 @@ protected:
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
-  int Memory = Fixed;
-  int Bounds = Props;
+  int Memory = Variable;
+  int Bounds = Fragments;
   bool AlphaCorrection = true;
 
 private:

@@ -33,8 +33,9 @@ vec2 addAngles(vec2 a, vec2 b)
 void basisAt(float depth, OUT(Basis) basis)
 {
   float x = mix(FOURIER_MARGIN, 1.0f - FOURIER_MARGIN, depth);
-  float angle = 2.0f * FOURIER_PI * x;
-  vec2 once = vec2(cos(angle), sin(angle));
+  float c = cos(FOURIER_PI * x); // of half the angle, whose sine is never negative, nor, thanks to the margin, small
+  vec2 halfway = vec2(c, sqrt(1.0f - c * c));
+  vec2 once = addAngles(halfway, halfway);
   vec2 twice = addAngles(once, once);
   vec2 odd = once;
   vec2 even = twice;
