@@ -33,10 +33,8 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
   float absorbance = absorbanceOf(color.a);
   if (gatherStage == 1)
   {
-    for (int i = 0; i < TERM_VECTORS; ++i)
-    {
-      outputs[i] = absorbance * basis.density[i];
-    }
+#define WRITE_TERMS(i) outputs[i] = absorbance * basis.density[i];
+    EACH_VECTOR(WRITE_TERMS)
   }
   else if (gatherStage == 2)
   {

@@ -15,10 +15,8 @@
 // visibilityOf.
 #ifndef Terms_glsl
 #define Terms_glsl
+#include "Absorbance/EachVector.glsl"
 #include "Common/Language.glsl"
-#ifndef TERM_VECTORS
-#error "Absorbance/Terms.glsl needs TERM_VECTORS"
-#endif
 
 #define LEAST_TRANSMITTANCE (1.0f / 1024.0f)
 
@@ -48,28 +46,22 @@ float relativeDepth(float depth, vec2 range)
 
 void clearTerms(OUT(Terms) terms)
 {
-  for (int i = 0; i < TERM_VECTORS; ++i)
-  {
-    terms.sums[i] = vec4(0.0f);
-  }
+#define CLEAR_TERMS(i) terms.sums[i] = vec4(0.0f);
+  EACH_VECTOR(CLEAR_TERMS)
 }
 
 void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, float absorbance)
 {
-  for (int i = 0; i < TERM_VECTORS; ++i)
-  {
-    terms.sums[i] += absorbance * basis.density[i];
-  }
+#define ADD_TO_TERMS(i) terms.sums[i] += absorbance * basis.density[i];
+  EACH_VECTOR(ADD_TO_TERMS)
 }
 
 // vis at the depth of a fragment that has added this absorbance.
 float visibilityOf(INOUT(Terms) terms, INOUT(Basis) basis, float absorbance)
 {
   float inFront = 0.0f;
-  for (int i = 0; i < TERM_VECTORS; ++i)
-  {
-    inFront += dot(terms.sums[i] - absorbance * basis.density[i], basis.integral[i]);
-  }
+#define ADD_IN_FRONT(i) inFront += dot(terms.sums[i] - absorbance * basis.density[i], basis.integral[i]);
+  EACH_VECTOR(ADD_IN_FRONT)
   return exp(-max(inFront, 0.0f)); // a truncated series may fall below 0
 }
 

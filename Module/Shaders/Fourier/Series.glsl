@@ -29,6 +29,12 @@ vec2 addAngles(vec2 a, vec2 b)
   return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
+// What a pair of terms weighs in the integral, from cosine and sine of k times the angle.
+vec2 integralOf(vec2 wave, int k)
+{
+  return vec2(wave.y, 1.0f - wave.x) / (FOURIER_PI * float(k));
+}
+
 // A vector holds two pairs of cosine and sine. Behind the last pair is the mean.
 void basisAt(float depth, OUT(Basis) basis)
 {
@@ -39,14 +45,12 @@ void basisAt(float depth, OUT(Basis) basis)
   vec2 twice = addAngles(once, once);
   vec2 odd = once;
   vec2 even = twice;
-  for (int i = 0; i < TERM_VECTORS; ++i)
-  {
-    vec2 area = vec2(1.0f / (FOURIER_PI * float(2 * i + 1)), 1.0f / (FOURIER_PI * float(2 * i + 2)));
-    basis.density[i] = vec4(odd, even);
-    basis.integral[i] = vec4(area.x * odd.y, area.x * (1.0f - odd.x), area.y * even.y, area.y * (1.0f - even.x));
-    odd = addAngles(odd, twice);
-    even = addAngles(even, twice);
-  }
+#define SET_PAIRS(i) \
+  basis.density[i] = vec4(odd, even); \
+  basis.integral[i] = vec4(integralOf(odd, 2 * i + 1), integralOf(even, 2 * i + 2)); \
+  odd = addAngles(odd, twice); \
+  even = addAngles(even, twice);
+  EACH_VECTOR(SET_PAIRS)
 #if FOURIER_COEFFICIENTS % 2 == 0
   basis.density[TERM_VECTORS - 1] = vec4(1.0f, 0.0f, 0.0f, 0.0f);
   basis.integral[TERM_VECTORS - 1] = vec4(x, 0.0f, 0.0f, 0.0f);

@@ -19,12 +19,11 @@ void basisAt(float depth, OUT(Basis) basis)
 {
   float x = depth * float(SLICES);
   float slice = min(floor(x), float(SLICES - 1));
-  for (int i = 0; i < TERM_VECTORS; ++i)
-  {
-    vec4 slices = vec4(0.0f, 1.0f, 2.0f, 3.0f) + float(4 * i);
-    basis.density[i] = vec4(equal(slices, vec4(slice)));
-    basis.integral[i] = clamp(vec4(x) - slices, 0.0f, 1.0f);
-  }
+  vec4 first = vec4(0.0f, 1.0f, 2.0f, 3.0f);
+#define SET_SLICES(i) \
+  basis.density[i] = vec4(equal(first + float(4 * i), vec4(slice))); \
+  basis.integral[i] = clamp(vec4(x) - (first + float(4 * i)), 0.0f, 1.0f);
+  EACH_VECTOR(SET_SLICES)
 }
 
 #endif
