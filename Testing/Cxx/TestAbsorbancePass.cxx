@@ -141,8 +141,8 @@ constexpr double Bound = 2;
 //------------------------------------------------------------------------------
 TEST_P(TestAbsorbancePass, IsAsComputed)
 {
-  for (const AnalyticScene& scene : { RandomLayers(400, 300, 11, 3, 0.2, 0.8), RandomLayers(200, 150, 12, 30, 0.02, 0.8),
-         RandomLayers(100, 80, 13, 120, 0.02, 0.3), RandomMosaic(200, 160, 14, 20, 0.02, 0.6) })
+  for (const AnalyticScene& scene : { RandomLayers(200, 150, 11, 3, 0.2, 0.8), RandomLayers(100, 80, 12, 30, 0.02, 0.8),
+         RandomLayers(80, 60, 13, 70, 0.02, 0.3), RandomMosaic(100, 80, 14, 20, 0.02, 0.6) })
   {
     const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(this->GetCompositor(scene)));
     EXPECT_LE(difference.Largest, Bound) << scene.Translucent.size() << " layers: " << difference;
@@ -186,13 +186,13 @@ TEST_P(TestAbsorbancePass, OpaqueFragmentHidesWhatIsBehind)
 //------------------------------------------------------------------------------
 TEST_P(TestAbsorbancePass, OrderOfDrawingChangesNothing)
 {
-  const AnalyticScene scene = RandomLayers(200, 150, 17, 60, 0.02, 0.5);
+  const AnalyticScene scene = RandomLayers(100, 80, 17, 40, 0.02, 0.5);
   const PictureDifference difference = Compare(this->DrawTwice(scene), this->DrawTwice(scene.Reversed()));
   EXPECT_LE(difference.Largest, 1) << difference;
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestAbsorbancePass,
-  testing::Combine(testing::Values(Fourier(1), Fourier(4), Fourier(15), Slices(5), Slices(16), Slices(32)), testing::ValuesIn(Setups())),
+  testing::Combine(testing::Values(Fourier(1), Fourier(4), Fourier(15), Slices(5), Slices(32)), testing::ValuesIn(Setups())),
   [](const auto& info) { return std::get<0>(info.param).Name + std::get<1>(info.param).GetName(); });
 
 //------------------------------------------------------------------------------
@@ -218,9 +218,6 @@ TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
       pass->SetBounds(vtkAbsorbancePass::Props);
       view.Render();
       EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 2);
-      pass->SetMemory(vtkAbsorbancePass::Variable);
-      view.Render();
-      EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 1);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "RenderTest.h"
 
 #include <vtkActor.h>
+#include <vtkFourierOpacityPass.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
 
@@ -170,6 +171,14 @@ std::vector<Case> Cases()
       {
         return vtkSmartPointer<vtkFragmentListPass>(
           vtkSmartPointer<vtkAdaptiveTransparencyPass>::New());
+      },
+      samples });
+    cases.push_back({ "FourierFixed" + suffix,
+      []
+      {
+        auto pass = vtkSmartPointer<vtkFourierOpacityPass>::New();
+        pass->SetMemory(vtkAbsorbancePass::Fixed);
+        return vtkSmartPointer<vtkFragmentListPass>(pass);
       },
       samples });
   }
