@@ -20,7 +20,23 @@
  * Memory Variable: one drawing of the geometry into the storage, and one full-screen pass that walks a pixel's list for the bounds, the
  * sums, and the colours. The sums are in registers and take no memory.
  *
- * Both draw the same picture, but for the rounding of stored colours. Volumes are divided at surfaces by Variable only.
+ * Both draw the same picture, but for the rounding of stored colours. Volumes are divided at surfaces by Variable only. Lists too long for a driver's
+ * loops (some 20,000 fragments of a pixel) are sorted and drawn exactly.
+ *
+ * Distance from the exact picture, root mean square of all channels in percent of the full range (400x300 and 640x360):
+ *
+ * |                                 | 300 rectangles | frog's tissues |
+ * | ------------------------------- | -------------- | -------------- |
+ * | Fourier, 4 pairs                | 0.48           | 0.49           |
+ * | the same, bounds of the props   | 0.51           | 1.33           |
+ * | the same, no alpha correction   | 0.90           | 1.48           |
+ * | shadow map, 16 slices           | 0.41           | 0.43           |
+ * | the same, bounds of the props   | 0.43           | 1.06           |
+ * | the same, no alpha correction   | 0.88           | 1.13           |
+ * | weighted blended, plain blending| 3.07, 4.66     | 3.84, 5.29     |
+ *
+ * Time on a software rasterizer, where plain blending is 1: Variable 4 to 4.5 on the rectangles, 1.3 to 1.4 on the frog; Fixed with the bounds of
+ * the props 5 to 7 and 2.7, with those of the fragments 7.5 to 11 and 4.4.
  */
 #ifndef vtkAbsorbancePass_h
 #define vtkAbsorbancePass_h
