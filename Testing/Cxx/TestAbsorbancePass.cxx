@@ -226,7 +226,11 @@ TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
 // Longer than what registers take, and not taken for lists that have to be sorted: theory is told from the exact picture.
 TEST_F(TestAbsorbancePassOf, LongListsAreWhole)
 {
-  const AnalyticScene scene = RandomLayers(16, 12, 19, 1500, 0.001, 0.02);
+  AnalyticScene scene = RandomLayers(16, 12, 19, 1500, 0.001, 0.02);
+  for (Layer& layer : scene.Translucent)
+  {
+    layer[0].Rgb = { { layer[0].Depth, 1 - layer[0].Depth, 0 } }; // what is seen of which depth shows in the mean
+  }
   const Compositor composite = [](const std::vector<Reference::Fragment>& fragments)
   { return Reference::CompositeAbsorbance(fragments, Fourier(1).Share, {}, true); };
   vtkNew<vtkFourierOpacityPass> pass;
