@@ -121,6 +121,9 @@ public:
   /// The translucent props, in the order of drawing.
   std::vector<vtkProp*> GetProps() const;
   vtkRenderer* GetRenderer() const;
+  /// Between which depths the boxes of the translucent props lie, 0 at the near plane, 1 at the far plane, linear in the distance
+  /// (Shaders/Common/LinearDepth.glsl). All of it where a prop does not know its box.
+  std::array<double, 2> GetDepthRange() const;
 
   /// Draws the translucent props.
   bool Draw(const Gathering& gathering, const Stage& stage);

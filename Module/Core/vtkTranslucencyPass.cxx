@@ -461,7 +461,7 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
   {
     const std::string expected = this->DividesVolumes()
       ? "expected those of vtkGPUVolumeRayCastMapper with an ImageSampleDistance of 1, not within assemblies"
-      : "only techniques that keep all fragments divide them, exact and adaptive";
+      : "only techniques that keep all fragments divide them, as exact and adaptive do";
     vtkWarningMacro(<< "volumes of " << undivided << " are drawn over the translucent surfaces: " << expected);
   }
   kept.UndividedVolumes = undivided;

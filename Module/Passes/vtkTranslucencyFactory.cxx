@@ -9,6 +9,9 @@
 #include "vtkScreenDoorPass.h"
 #include "vtkSortedTransparencyPass.h"
 #include "vtkStochasticTransparencyPass.h"
+#include "vtkFourierOpacityPass.h"
+#include "vtkMultiLayerAlphaBlendingPass.h"
+#include "vtkOpacityShadowMapPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
 #include "vtkDualDepthPeelingPass.h"
@@ -65,6 +68,10 @@ const Technique Techniques[] = {
     NewPass<vtkHybridTransparencyPass> },
   { "stochastic", "stochastic transparency: visibility by random depth samples, right on average, with noise",
     NewPass<vtkStochasticTransparencyPass> },
+  { "fourier", "Fourier opacity mapping: visibility from a Fourier series of absorbance, order does not matter",
+    NewPass<vtkFourierOpacityPass> },
+  { "shadowmap", "opacity shadow maps: visibility from absorbance in slices of equal depth, order does not matter",
+    NewPass<vtkOpacityShadowMapPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
   { "sorted", "blending in the order of depth, of objects or their polygons: right where they don't interlock",

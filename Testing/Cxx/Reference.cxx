@@ -291,4 +291,66 @@ Pixel CompositeWeightedBlended(const std::vector<Fragment>& fragments, const std
   }
   return pixel;
 }
+
+//------------------------------------------------------------------------------
+double FourierShare(int coefficients, double at, double before)
+{
+  const double pi = std::acos(-1.0);
+  const double margin = 0.5 / (coefficients + 1);
+  const double from = margin + (1 - 2 * margin) * at;
+  const double to = margin + (1 - 2 * margin) * before;
+  double share = to;
+  for (int k = 1; k <= coefficients; ++k)
+  {
+    // The integral of 2 cos(2 pi k (x - from)) from 0 to `to`.
+    share += (std::sin(2 * pi * k * (to - from)) + std::sin(2 * pi * k * from)) / (pi * k);
+  }
+  return share;
+}
+
+//------------------------------------------------------------------------------
+double SliceShare(int slices, double at, double before)
+{
+  const double slice = std::min(std::floor(slices * at), slices - 1.0);
+  return std::clamp(slices * before - slice, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Share& share,
+  const std::vector<double>& range, bool corrected)
+{
+  double nearest = range.empty() ? 1 : range.front();
+  double farthest = range.empty() ? 0 : range.back();
+  for (const Fragment& fragment : fragments)
+  {
+    nearest = range.empty() ? std::min(nearest, fragment.Depth) : nearest;
+    farthest = range.empty() ? std::max(farthest, fragment.Depth) : farthest;
+  }
+  const auto relative = [=](double depth)
+  { return farthest > nearest ? (depth - nearest) / (farthest - nearest) : 0.5; };
+
+  Pixel pixel;
+  double weights = 0;
+  for (std::size_t i = 0; i < fragments.size(); ++i)
+  {
+    double inFront = 0;
+    for (std::size_t j = 0; j < fragments.size(); ++j)
+    {
+      const double absorbance = -std::log(std::max(1 - fragments[j].Alpha, 1.0 / 1024));
+      inFront += j == i ? 0 : absorbance * share(relative(fragments[j].Depth), relative(fragments[i].Depth));
+    }
+    const double weight = std::exp(-std::max(inFront, 0.0)) * fragments[i].Alpha;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pixel.Rgb[c] += weight * fragments[i].Rgb[c];
+    }
+    weights += weight;
+    pixel.Transmittance *= 1 - fragments[i].Alpha;
+  }
+  for (double& channel : pixel.Rgb)
+  {
+    channel *= corrected && weights > 0 ? (1 - pixel.Transmittance) / weights : 1;
+  }
+  return pixel;
+}
 }

@@ -84,6 +84,21 @@ Pixel CompositeExact(std::vector<Fragment> fragments);
 /// Eq. 2 and 4: weight each with the product of what all in front of it let through.
 Pixel CompositeIterative(const std::vector<Fragment>& fragments);
 
+/// How much of the absorbance at one relative depth, 0 to 1, is taken to be in front of another.
+using Share = std::function<double(double at, double before)>;
+
+/// The integral of a peak's Fourier series of so many pairs (Jansen and Bavoil 2010), with a margin of half a period of the next pair at both
+/// ends.
+double FourierShare(int coefficients, double at, double before);
+
+/// All, if the peak's slice lies before; within it, the part of the slice that does (Kim and Neumann 2001).
+double SliceShare(int slices, double at, double before);
+
+/// Eq. 2 with the absorbance of all other fragments by their shares. Depths are relative to a range, or to that of the fragments if it is empty.
+/// Corrected: scaled so that the weights add up to what is hidden.
+Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Share& share,
+  const std::vector<double>& range, bool corrected);
+
 /// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first.
 Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal);
 

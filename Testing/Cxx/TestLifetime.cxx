@@ -3,7 +3,6 @@
 #include "RenderTest.h"
 
 #include <vtkActor.h>
-#include <vtkSortedTransparencyPass.h>
 #include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
@@ -164,27 +163,27 @@ std::vector<Case> Cases()
   for (int samples : { 0, 4 })
   {
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
+    // With a choice that holds other objects than the default does, too.
+    std::vector<std::array<std::string, 3>> arrangements{ { "adaptive", "memory", "fixed" },
+      { "fourier", "memory", "fixed" }, { "sorted", "order", "centroid" } };
     for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
     {
-      const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
-      const auto create = [name]
+      arrangements.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });
+    }
+    for (const auto& [name, keyword, choice] : arrangements)
+    {
+      const auto create = [name = name, keyword = keyword, choice = choice]
       {
         const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
-        return vtkSmartPointer<vtkTranslucencyPass>(vtkTranslucencyPass::SafeDownCast(pass));
+        vtkSmartPointer<vtkTranslucencyPass> own = vtkTranslucencyPass::SafeDownCast(pass);
+        EXPECT_TRUE(!own || keyword.empty() || own->SetOption(keyword, choice));
+        return own;
       };
       if (create())
       {
-        cases.push_back({ name + suffix, create, samples });
+        cases.push_back({ name + choice + suffix, create, samples });
       }
     }
-    cases.push_back({ "sortedByCentroid" + suffix,
-      []
-      {
-        auto pass = vtkSmartPointer<vtkSortedTransparencyPass>::New();
-        pass->SetOrder(vtkSortedTransparencyPass::Centroid);
-        return vtkSmartPointer<vtkTranslucencyPass>(pass);
-      },
-      samples });
   }
   return cases;
 }

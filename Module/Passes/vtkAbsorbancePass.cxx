@@ -1,0 +1,227 @@
+#include "vtkAbsorbancePass.h"
+
+#include "vtkTranslucencyOption.h"
+
+#include <algorithm>
+
+namespace
+{
+const char* const Memories[] = { "fixed", "variable" };
+const char* const BoundsDefines[] = { "ABSORBANCE_BOUNDS_FRAGMENTS", "ABSORBANCE_BOUNDS_PROPS" };
+constexpr int TermsOfVector = 4;
+}
+
+//------------------------------------------------------------------------------
+vtkAbsorbancePass::~vtkAbsorbancePass()
+{
+  this->ReleaseGraphicsResources(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Memory: " << Memories[this->Memory] << "\n";
+  os << indent << "Bounds: " << BoundsDefines[this->Bounds] << "\n";
+  os << indent << "AlphaCorrection: " << this->AlphaCorrection << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::SetMemory(int memory)
+{
+  if (memory < Fixed || memory > Variable)
+  {
+    vtkErrorMacro(<< "Memory is " << memory << ", expected Fixed (0) or Variable (1)");
+    return;
+  }
+  if (this->Memory != memory)
+  {
+    this->ReleaseGraphicsResources(nullptr); // what the other one holds
+    this->Memory = memory;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::SetBounds(int bounds)
+{
+  if (bounds < Fragments || bounds > Props)
+  {
+    vtkErrorMacro(<< "Bounds is " << bounds << ", expected Fragments (0) or Props (1)");
+    return;
+  }
+  if (this->Bounds != bounds)
+  {
+    this->Bounds = bounds;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::SetAlphaCorrection(bool correction)
+{
+  if (this->AlphaCorrection != correction)
+  {
+    this->AlphaCorrection = correction;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
+{
+  using Kind = vtkTranslucencyOption::Kind;
+  std::vector<vtkTranslucencyOption> options{
+    { "Memory", "memory", Kind::Choice, Variable, 0, 1, { "fixed", "variable" },
+      "fixed draws the geometry twice and takes the same memory for any number of fragments; variable draws it once and keeps all fragments",
+      [this] { return this->GetMemory(); },
+      [this](double value) { this->SetMemory(static_cast<int>(value)); } },
+    { "Bounds", "bounds", Kind::Choice, Fragments, 0, 1, { "fragments", "props" },
+      "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, or that of all props",
+      [this] { return this->GetBounds(); },
+      [this](double value) { this->SetBounds(static_cast<int>(value)); } },
+    { "AlphaCorrection", "alpha_correction", Kind::Choice, 1, 0, 1, { "off", "on" },
+      "on scales colours so that the weights of a pixel's fragments add up to what they hide",
+      [this] { return this->GetAlphaCorrection() ? 1 : 0; },
+      [this](double value) { this->SetAlphaCorrection(value != 0); } }
+  };
+  for (vtkTranslucencyOption option : this->Superclass::GetOptions())
+  {
+    option.Help += "; used by memory variable only";
+    options.push_back(option);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::Defines vtkAbsorbancePass::GetDefines() const
+{
+  vtkTranslucencyFrame::Defines defines = this->GetTermDefines();
+  defines["ABSORBANCE_BOUNDS"] = BoundsDefines[this->Bounds];
+  return defines;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::Defines vtkAbsorbancePass::GetCorrection() const
+{
+  return { { "ALPHA_CORRECTION", this->AlphaCorrection ? "1" : "0" } };
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::Uniforms vtkAbsorbancePass::GetRange(const vtkTranslucencyFrame& frame) const
+{
+  if (this->Bounds == Fragments)
+  {
+    return {};
+  }
+  const std::array<double, 2> range = frame.GetDepthRange();
+  return { { "rangeNear", static_cast<float>(range[0]) }, { "rangeFar", static_cast<float>(range[1]) } };
+}
+
+//------------------------------------------------------------------------------
+// Floats of each target; three take the room of four.
+std::vector<int> vtkAbsorbancePass::GetTermFormats() const
+{
+  const int rest = (this->GetTermCount() - 1) % TermsOfVector + 1;
+  std::vector<int> formats((this->GetTermCount() - 1) / TermsOfVector, TermsOfVector);
+  formats.push_back(rest == 3 ? TermsOfVector : rest);
+  return formats;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAbsorbancePass::RenderStages(vtkTranslucencyFrame& frame)
+{
+  return this->Memory == Fixed ? this->RenderFixed(frame) : this->Superclass::RenderStages(frame);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
+{
+  const std::vector<int> formats = this->GetTermFormats();
+  const int vectors = static_cast<int>(formats.size());
+  vtkTranslucencyFrame::Gathering gathering{ this->GetShaderFolder() + "/Gather.glsl", this->GetDefines(), std::max(2, vectors) };
+  gathering.Values["GATHER_OUTPUTS"] = std::to_string(gathering.Outputs);
+
+  // One text reads all targets, each in the stage that needs it. In the others its sampler sees Colors, which is not drawn to then: a
+  // sampler that sees nothing may meet one of another type at its unit.
+  const auto inputs = [&](const vtkTranslucencyTargets* bounds, const vtkTranslucencyTargets* terms) {
+    std::vector<vtkTranslucencyFrame::Input> read;
+    if (this->Bounds == Fragments)
+    {
+      read.push_back({ "depthBounds", bounds ? bounds : &this->Colors, 0 });
+    }
+    for (int i = 0; i < vectors; ++i)
+    {
+      read.push_back({ "terms" + std::to_string(i), terms ? terms : &this->Colors, terms ? i : 0 });
+    }
+    return read;
+  };
+  using Blending = vtkTranslucencyFrame::Blending;
+  const vtkTranslucencyFrame::Uniforms range = this->GetRange(frame);
+  vtkTranslucencyFrame::Stage bounds;
+  bounds.Targets = &this->DepthBounds;
+  bounds.Blend = Blending::Maximum;
+  bounds.Clear = { { -2, -2, -2, -2 } };
+  bounds.Inputs = inputs(nullptr, nullptr);
+  vtkTranslucencyFrame::Stage terms;
+  terms.Number = 1;
+  terms.Targets = &this->Terms;
+  terms.Inputs = inputs(&this->DepthBounds, nullptr);
+  terms.Values = range;
+  vtkTranslucencyFrame::Stage colors;
+  colors.Number = 2;
+  colors.Targets = &this->Colors;
+  colors.Blend = Blending::AddAndAttenuate;
+  colors.Clear = { { 0, 0, 0, 1 } };
+  colors.Inputs = inputs(&this->DepthBounds, &this->Terms);
+  colors.Values = range;
+
+  return frame.UseTargets(this->Colors, { 4, 1 }) && frame.UseTargets(this->Terms, formats) &&
+    (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds))) &&
+    frame.Draw(gathering, terms) && frame.Draw(gathering, colors) &&
+    frame.Composite("Absorbance/Composite.glsl", this->GetCorrection(),
+      { { "weightedColors", &this->Colors, 0 }, { "weightSums", &this->Colors, 1 } });
+}
+
+//------------------------------------------------------------------------------
+bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
+{
+  vtkTranslucencyFrame::Defines defines = this->GetDefines();
+  defines.merge(this->GetCorrection());
+  const vtkTranslucencyFrame::Uniforms range = this->GetRange(frame);
+  const std::string folder = this->GetShaderFolder();
+  vtkTranslucencyFrame::Squares squares;
+  for (int size : { 8, 16, 32 })
+  {
+    vtkTranslucencyFrame::Defines block = defines;
+    block.insert({ { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "0" },
+      { "LONGER_LEVEL", LevelText(squares.Level + 1) } });
+    squares.Most = size;
+    if (!frame.Resolve(folder + "/ResolveShort.glsl", block, squares, range))
+    {
+      return false;
+    }
+    ++squares.Level;
+    squares.Fewer = size;
+  }
+  squares.Most = VTK_INT_MAX;
+  defines["UNFINISHED_LEVEL"] = LevelText(Long);
+  const bool longer = this->Storage->GetMostExpected() > squares.Fewer || frame.IsLeftTo(squares.Level);
+  return (!longer || frame.Resolve(folder + "/Resolve.glsl", defines, squares, range)) && this->ResolveLeftLists(frame);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkAbsorbancePass::GetTechniqueBytes()
+{
+  return this->Superclass::GetTechniqueBytes() + this->DepthBounds.GetBytes() + this->Terms.GetBytes() + this->Colors.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::ReleaseTechniqueResources(bool contextAlive)
+{
+  this->Superclass::ReleaseTechniqueResources(contextAlive);
+  for (vtkTranslucencyTargets* targets : { &this->DepthBounds, &this->Terms, &this->Colors })
+  {
+    targets->Release(contextAlive);
+  }
+}

@@ -1,0 +1,47 @@
+/**
+ * @class   vtkOpacityShadowMapPass
+ * @brief   opacity shadow maps: absorbance along a ray on a uniform grid
+ *
+ * Kim and Neumann 2001, "Opacity shadow maps", used for transparency as Salvi et al. 2011 do (OSMTF and OSMTV): see vtkAbsorbancePass for the
+ * stages. The sums are the absorbances of Slices slices of equal depth, 4 * Slices bytes a pixel and sample with fixed memory. Within a slice absorbance
+ * is taken to be spread evenly: of two fragments in one slice, the farther one hides the nearer one, too. With the bounds of the fragments, the
+ * visibilities of a pixel's first and last one are exact (before the alpha correction): they lie at the ends of the grid.
+ */
+#ifndef vtkOpacityShadowMapPass_h
+#define vtkOpacityShadowMapPass_h
+
+#include "vtkAbsorbancePass.h"
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkOpacityShadowMapPass : public vtkAbsorbancePass
+{
+public:
+  static vtkOpacityShadowMapPass* New();
+  vtkTypeMacro(vtkOpacityShadowMapPass, vtkAbsorbancePass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Slices of the range of depths, 1 to 32, 16 by default. A value outside is an error and changes nothing.
+   */
+  void SetSlices(int slices);
+  vtkGetMacro(Slices, int);
+  ///@}
+
+  std::vector<vtkTranslucencyOption> GetOptions() override;
+
+protected:
+  vtkOpacityShadowMapPass() = default;
+  ~vtkOpacityShadowMapPass() override = default;
+
+  std::string GetShaderFolder() const override;
+  vtkTranslucencyFrame::Defines GetTermDefines() const override;
+  int GetTermCount() const override;
+
+  int Slices = 16;
+
+private:
+  vtkOpacityShadowMapPass(const vtkOpacityShadowMapPass&) = delete;
+  void operator=(const vtkOpacityShadowMapPass&) = delete;
+};
+
+#endif

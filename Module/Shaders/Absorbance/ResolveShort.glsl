@@ -1,0 +1,52 @@
+// Absorbance/ResolveShort.glsl: the same as Resolve.glsl for lists of up to BLOCK_SIZE fragments, which are read once, into registers. Longer
+// ones are left to LONGER_LEVEL. The technique's file includes it last.
+//
+// Needs: what Absorbance/Weigh.glsl needs, BLOCK_SIZE, EQUAL_DEPTHS 0, LONGER_LEVEL, COLOR_FORMAT.
+#ifndef LONGER_LEVEL
+#error "Absorbance/ResolveShort.glsl needs LONGER_LEVEL"
+#endif
+#include "ABuffer/LoadBlock.glsl"
+#include "Absorbance/Weigh.glsl"
+#include "Common/FinishPixel.glsl"
+#include "Common/Statistics.glsl"
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  Block block;
+  uint count;
+  uint unread;
+  loadBlock(pixel, block, count, unread);
+  if (unread != 0u)
+  {
+    leaveToLevel(pixel, LONGER_LEVEL);
+    return false;
+  }
+  vec4 colors[BLOCK_SIZE];
+  for (int i = 0; i < BLOCK_SIZE; ++i)
+  {
+    colors[i] = unpackColor(block.color[i]);
+    block.depth[i] = min(block.depth[i], 1.0); // an empty element is transparent, and lies behind all that can be computed with
+  }
+  Sums sums;
+  clearSums(sums);
+#if ABSORBANCE_BOUNDS == ABSORBANCE_BOUNDS_FRAGMENTS
+  for (int i = 0; i < BLOCK_SIZE; ++i)
+  {
+    bound(sums, block.depth[i], colors[i].a);
+  }
+#endif
+  for (int i = 0; i < BLOCK_SIZE; ++i)
+  {
+    absorb(sums, block.depth[i], colors[i].a);
+  }
+  for (int i = 0; i < BLOCK_SIZE; ++i)
+  {
+    weigh(sums, block.depth[i], colors[i]);
+  }
+  transmittance = sums.transmittance;
+  color = correctedColor(sums.color, sums.weights, transmittance);
+  finishPixel(pixel, count);
+  return count > 0u;
+}
+
+#include "Common/Resolve.glsl"

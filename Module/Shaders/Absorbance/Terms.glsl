@@ -1,0 +1,68 @@
+// Absorbance/Terms.glsl: visibility from sums over the fragments of a pixel.
+//
+// A fragment's absorbance is -ln(1 - opacity): those of the fragments in front add up, and vis(z) = exp(-sum) (Salvi 2011, Eq. 4). Which
+// of them are in front is told from a fixed number of sums, the terms: a fragment of absorbance a at depth z adds a * density(z)
+// to them, and the absorbance in front of z is the scalar product of the terms with integral(z). A technique gives these two vectors
+// (Fourier/Series.glsl, OpacityShadowMap/Slices.glsl). Since they are linear, what a fragment has added itself is taken out again
+// before it asks: nothing hides itself (H(0) = 0 in Eq. 5).
+//
+// An opaque fragment would absorb without end. No absorbance is more than ln(1024): what is behind shows through by less than a quarter of
+// 1/255.
+//
+// Valid C++, too.
+//
+// Needs: TERM_VECTORS (1 to 8), of four terms each.  Gives: Basis, Terms, absorbanceOf, relativeDepth, clearTerms, addToTerms,
+// visibilityOf.
+#ifndef Terms_glsl
+#define Terms_glsl
+#include "Absorbance/EachVector.glsl"
+#include "Common/Language.glsl"
+
+#define LEAST_TRANSMITTANCE (1.0f / 1024.0f)
+
+// Of a depth. What is not in use of the last vector is 0.
+struct Basis
+{
+  vec4 density[TERM_VECTORS];
+  vec4 integral[TERM_VECTORS];
+};
+
+struct Terms
+{
+  vec4 sums[TERM_VECTORS];
+};
+
+float absorbanceOf(float alpha)
+{
+  return -log(max(1.0f - alpha, LEAST_TRANSMITTANCE));
+}
+
+// 0 at the near end of a range of depths, 1 at its far end. Where they are the same everything is in the middle.
+float relativeDepth(float depth, vec2 range)
+{
+  float extent = range.y - range.x;
+  return extent > 0.0f ? clamp((depth - range.x) / extent, 0.0f, 1.0f) : 0.5f;
+}
+
+void clearTerms(OUT(Terms) terms)
+{
+#define CLEAR_TERMS(i) terms.sums[i] = vec4(0.0f);
+  EACH_VECTOR(CLEAR_TERMS)
+}
+
+void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, float absorbance)
+{
+#define ADD_TO_TERMS(i) terms.sums[i] += absorbance * basis.density[i];
+  EACH_VECTOR(ADD_TO_TERMS)
+}
+
+// vis at the depth of a fragment that has added this absorbance.
+float visibilityOf(INOUT(Terms) terms, INOUT(Basis) basis, float absorbance)
+{
+  float inFront = 0.0f;
+#define ADD_IN_FRONT(i) inFront += dot(terms.sums[i] - absorbance * basis.density[i], basis.integral[i]);
+  EACH_VECTOR(ADD_IN_FRONT)
+  return exp(-max(inFront, 0.0f)); // a truncated series may fall below 0
+}
+
+#endif

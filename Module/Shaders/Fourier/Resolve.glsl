@@ -1,0 +1,5 @@
+// Fourier/Resolve.glsl: the variable-memory form, see Absorbance/Resolve.glsl.
+//
+// Needs: FOURIER_COEFFICIENTS, and what that file needs.
+#include "Fourier/Series.glsl"
+#include "Absorbance/Resolve.glsl"

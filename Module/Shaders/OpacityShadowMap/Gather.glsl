@@ -1,0 +1,5 @@
+// OpacityShadowMap/Gather.glsl: the fixed-memory form, see Absorbance/Gather.glsl.
+//
+// Needs: SLICES, and what that file needs.  Gives: gatherFragment.
+#include "OpacityShadowMap/Slices.glsl"
+#include "Absorbance/Gather.glsl"

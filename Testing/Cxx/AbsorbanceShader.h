@@ -1,0 +1,27 @@
+/**
+ * Module/Shaders/Fourier and OpacityShadowMap, compiled as C++: the text that the GPU runs, once for each number of terms that CMakeLists.txt lists.
+ */
+#ifndef AbsorbanceShader_h
+#define AbsorbanceShader_h
+
+#include <string>
+#include <vector>
+
+/// Its depth is relative, 0 to 1.
+struct Absorber
+{
+  float Depth;
+  float Alpha;
+};
+
+struct AbsorbanceVariant
+{
+  std::string Technique; // Fourier or Slices
+  int Terms;             // pairs of cosine and sine, or slices
+  std::vector<float> (*GetVisibilities)(const std::vector<Absorber>&); // of each
+};
+
+/// All that were compiled.
+const std::vector<AbsorbanceVariant>& AbsorbanceVariants();
+
+#endif

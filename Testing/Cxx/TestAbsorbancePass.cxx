@@ -1,0 +1,364 @@
+// Fourier opacity and opacity shadow maps against their own theory, computed on the CPU in double precision.
+#include "RenderTest.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkFourierOpacityPass.h>
+#include <vtkOpacityShadowMapPass.h>
+#include <vtkPlaneSource.h>
+#include <vtkTranslucencyOption.h>
+#include <vtkTranslucencyStatistics.h>
+
+#include <algorithm>
+
+namespace
+{
+struct Technique
+{
+  std::string Name;
+  std::function<vtkSmartPointer<vtkAbsorbancePass>()> New;
+  Reference::Share Share;
+};
+
+void PrintTo(const Technique& technique, std::ostream* os)
+{
+  *os << technique.Name;
+}
+
+Technique Fourier(int coefficients)
+{
+  const auto create = [coefficients]
+  {
+    auto pass = vtkSmartPointer<vtkFourierOpacityPass>::New();
+    pass->SetCoefficients(coefficients);
+    return pass;
+  };
+  return { "Fourier" + std::to_string(coefficients), create,
+    [coefficients](double at, double before) { return Reference::FourierShare(coefficients, at, before); } };
+}
+
+Technique Slices(int slices)
+{
+  const auto create = [slices]
+  {
+    auto pass = vtkSmartPointer<vtkOpacityShadowMapPass>::New();
+    pass->SetSlices(slices);
+    return pass;
+  };
+  return { "Slices" + std::to_string(slices), create,
+    [slices](double at, double before) { return Reference::SliceShare(slices, at, before); } };
+}
+
+/// How it is set up, and how many samples the window has.
+struct Setup
+{
+  int Memory;
+  int Bounds;
+  bool Corrected;
+  int Samples;
+
+  std::string GetName() const
+  {
+    return std::string(this->Memory == vtkAbsorbancePass::Fixed ? "Fixed" : "Variable") +
+      (this->Bounds == vtkAbsorbancePass::Fragments ? "Fragments" : "Props") + (this->Corrected ? "" : "Uncorrected") +
+      (this->Samples > 0 ? std::to_string(this->Samples) : "");
+  }
+};
+
+void PrintTo(const Setup& setup, std::ostream* os)
+{
+  *os << setup.GetName();
+}
+
+std::vector<Setup> Setups()
+{
+  std::vector<Setup> setups;
+  for (int memory : { vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Variable })
+  {
+    for (int bounds : { vtkAbsorbancePass::Fragments, vtkAbsorbancePass::Props })
+    {
+      setups.push_back({ memory, bounds, true, 0 });
+      setups.push_back({ memory, bounds, true, 4 });
+    }
+    setups.push_back({ memory, vtkAbsorbancePass::Fragments, false, 0 });
+  }
+  return setups;
+}
+
+class TestAbsorbancePass
+  : public RenderTest
+  , public testing::WithParamInterface<std::tuple<Technique, Setup>>
+{
+protected:
+  vtkSmartPointer<vtkAbsorbancePass> NewPass() const
+  {
+    const auto& [technique, setup] = GetParam();
+    auto pass = technique.New();
+    pass->SetMemory(setup.Memory);
+    pass->SetBounds(setup.Bounds);
+    pass->SetAlphaCorrection(setup.Corrected);
+    return pass;
+  }
+
+  /// The reference's compositor for that pass and scene.
+  Compositor GetCompositor(const AnalyticScene& scene) const
+  {
+    const auto& [technique, setup] = GetParam();
+    std::vector<double> range;
+    if (setup.Bounds == vtkAbsorbancePass::Props)
+    {
+      for (const Layer& layer : scene.Translucent)
+      {
+        for (const Rectangle& rectangle : layer)
+        {
+          range.push_back(rectangle.Depth);
+        }
+      }
+      std::sort(range.begin(), range.end());
+    }
+    return [share = technique.Share, range, corrected = setup.Corrected](const std::vector<Reference::Fragment>& fragments)
+    { return Reference::CompositeAbsorbance(fragments, share, range, corrected); };
+  }
+
+  Picture DrawTwice(const AnalyticScene& scene) const
+  {
+    View view(scene, std::get<1>(GetParam()).Samples);
+    const auto pass = this->NewPass();
+    view.SetPass(pass);
+    view.Render();
+    EXPECT_GT(pass->GetStatistics()->GetShaderBuilds(), 0);
+    const Picture drawn = view.Render();
+    EXPECT_EQ(pass->GetStatistics()->GetShaderBuilds(), 0) << "in the second frame";
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+    return drawn;
+  }
+};
+
+// What is behind shows through: blending in bytes rounds colour, transmittance and product.
+constexpr double Bound = 2;
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestAbsorbancePass, IsAsComputed)
+{
+  for (const AnalyticScene& scene : { RandomLayers(200, 150, 11, 3, 0.2, 0.8), RandomLayers(100, 80, 12, 30, 0.02, 0.8),
+         RandomLayers(80, 60, 13, 70, 0.02, 0.3), RandomMosaic(100, 80, 14, 20, 0.02, 0.6) })
+  {
+    const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(this->GetCompositor(scene)));
+    EXPECT_LE(difference.Largest, Bound) << scene.Translucent.size() << " layers: " << difference;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Black in front of white: only the total transmittance is seen.
+TEST_P(TestAbsorbancePass, LetsThroughExactlyWhatIsLetThrough)
+{
+  AnalyticScene scene = RandomLayers(200, 150, 15, 25, 0.02, 0.4);
+  scene.Background = { { 1, 1, 1 } };
+  scene.Opaque.clear();
+  for (Layer& layer : scene.Translucent)
+  {
+    layer[0].Rgb = { { 0, 0, 0 } };
+  }
+  const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(Reference::CompositeExact));
+  EXPECT_LE(difference.Largest, 1) << difference;
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestAbsorbancePass, OnlyFragmentIsExact)
+{
+  AnalyticScene scene = RandomMosaic(200, 160, 16, 1, 0.02, 1);
+  scene.Background = { { 0.2, 0.4, 0.6 } };
+  const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(Reference::CompositeExact));
+  EXPECT_LE(difference.Largest, 1.5) << difference;
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestAbsorbancePass, OpaqueFragmentHidesWhatIsBehind)
+{
+  AnalyticScene scene;
+  scene.Background = { { 1, 1, 1 } };
+  scene.Translucent = { { { 0, 0, 400, 300, 0.75, { { 1, 1, 1 } }, 0.5 } }, { { 50, 50, 350, 250, 0.25, { { 0.2, 0.4, 0 } }, 1 } } };
+  const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(Reference::CompositeExact));
+  EXPECT_LE(difference.Largest, 1) << difference;
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestAbsorbancePass, OrderOfDrawingChangesNothing)
+{
+  const AnalyticScene scene = RandomLayers(100, 80, 17, 40, 0.02, 0.5);
+  const PictureDifference difference = Compare(this->DrawTwice(scene), this->DrawTwice(scene.Reversed()));
+  EXPECT_LE(difference.Largest, 1) << difference;
+}
+
+INSTANTIATE_TEST_SUITE_P(Matrix, TestAbsorbancePass,
+  testing::Combine(testing::Values(Fourier(1), Fourier(4), Fourier(15), Slices(5), Slices(32)), testing::ValuesIn(Setups())),
+  [](const auto& info) { return std::get<0>(info.param).Name + std::get<1>(info.param).GetName(); });
+
+//------------------------------------------------------------------------------
+using TestAbsorbancePassOf = RenderTest;
+
+TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
+{
+  AnalyticScene scene = RandomLayers(200, 150, 18, 40, 0.02, 0.8);
+  for (const Technique& technique : { Fourier(4), Slices(16) })
+  {
+    for (int samples : { 0, 4 })
+    {
+      View view(scene, samples);
+      AddBall(view.Renderer, false, 60, 70, 0.3);
+      AddBall(view.Renderer, false, 130, 80, -0.2);
+      const auto pass = technique.New();
+      view.SetPass(pass);
+      const Picture lists = view.Render();
+      pass->SetMemory(vtkAbsorbancePass::Fixed);
+      const PictureDifference difference = Compare(lists, view.Render());
+      EXPECT_LE(difference.Largest, samples > 1 ? 4 : 2) << technique.Name << ", " << samples << " samples: " << difference;
+      EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 3);
+      pass->SetBounds(vtkAbsorbancePass::Props);
+      view.Render();
+      EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 2);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Longer than what registers take, and not taken for lists that have to be sorted: theory is told from the exact picture.
+TEST_F(TestAbsorbancePassOf, LongListsAreWhole)
+{
+  AnalyticScene scene = RandomLayers(16, 12, 19, 1500, 0.001, 0.02);
+  for (Layer& layer : scene.Translucent)
+  {
+    layer[0].Rgb = { { layer[0].Depth, 1 - layer[0].Depth, 0 } }; // what is seen of which depth shows in the mean
+  }
+  const Compositor composite = [](const std::vector<Reference::Fragment>& fragments)
+  { return Reference::CompositeAbsorbance(fragments, Fourier(1).Share, {}, true); };
+  vtkNew<vtkFourierOpacityPass> pass;
+  pass->SetCoefficients(1);
+  const PictureDifference difference = Compare(Draw(scene, pass), scene.RoundedToHalf().Compute(composite));
+  EXPECT_LE(difference.Largest, 2) << difference;
+  EXPECT_GT(pass->GetStatistics()->GetDeepestPixel(), 500);
+  EXPECT_GT(Compare(scene.Compute(composite), scene.Compute(Reference::CompositeExact)).Largest, 5);
+}
+
+//------------------------------------------------------------------------------
+// Depths are linear in a perspective, too: both rectangles fill the view, at the ends of the range of the props as of the fragments.
+TEST_F(TestAbsorbancePassOf, PropsBoundsHoldInPerspective)
+{
+  for (int memory : { vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Variable })
+  {
+    View view(60, 60);
+    for (double z : { 0.0, -3.0, -10.0 })
+    {
+      vtkNew<vtkPlaneSource> plane;
+      plane->SetOrigin(-50, -50, z);
+      plane->SetPoint1(50, -50, z);
+      plane->SetPoint2(-50, 50, z);
+      plane->Update();
+      view.Renderer->AddActor(NewUnlitActor(plane->GetOutput(), { { 1 + z / 10, 0.5, -z / 10 } }, 0.6));
+    }
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(0, 0, 1);
+    camera->SetFocalPoint(0, 0, 0);
+    camera->SetClippingRange(0.1, 100);
+    view.Renderer->SetActiveCamera(camera);
+    vtkNew<vtkFourierOpacityPass> pass;
+    pass->SetMemory(memory);
+    view.SetPass(pass);
+    const Picture ofFragments = view.Render();
+    pass->SetBounds(vtkAbsorbancePass::Props);
+    EXPECT_LE(Compare(view.Render(), ofFragments).Largest, 1);
+
+    const std::vector<Reference::Fragment> fragments = { { 0, { { 1, 0.5, 0 } }, 0.6 }, { 0.3, { { 0.7, 0.5, 0.3 } }, 0.6 },
+      { 1, { { 0, 0.5, 1 } }, 0.6 } };
+    const Reference::Pixel expected = Reference::CompositeAbsorbance(fragments, Fourier(4).Share, {}, true);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      EXPECT_NEAR(ofFragments.At(30, 30, channel), 255 * expected.Rgb[channel], 1) << channel;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A prop that does not count, nor one that is out of sight, must not widen the range; one behind the camera must not turn it round.
+TEST_F(TestAbsorbancePassOf, HiddenPropsDoNotWidenTheRange)
+{
+  const AnalyticScene scene = RandomLayers(100, 80, 20, 10, 0.2, 0.6);
+  View view(scene);
+  vtkNew<vtkFourierOpacityPass> pass;
+  pass->SetBounds(vtkAbsorbancePass::Props);
+  view.SetPass(pass);
+  const Picture before = view.Render();
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetCenter(0, 0, -0.99);
+  plane->Update();
+  const auto hidden = NewUnlitActor(plane->GetOutput(), { { 1, 1, 1 } }, 0.5);
+  hidden->VisibilityOff();
+  view.Renderer->AddActor(hidden);
+  EXPECT_EQ(Compare(view.Render(), before).Largest, 0);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestAbsorbancePassOf, VariableReleasesWhatFixedHolds)
+{
+  View view(RandomLayers(200, 150, 21, 10, 0.1, 0.5));
+  vtkNew<vtkFourierOpacityPass> pass;
+  view.SetPass(pass);
+  view.Render();
+  const vtkTypeInt64 lists = pass->GetStatistics()->GetBytes();
+  pass->SetMemory(vtkAbsorbancePass::Fixed);
+  view.Render();
+  const vtkTypeInt64 bytesOfPixel = 8 + 4 * 9 + 16 + 4;
+  EXPECT_GE(pass->GetStatistics()->GetBytes(), bytesOfPixel * 200 * 150);
+  EXPECT_LE(pass->GetStatistics()->GetBytes(), bytesOfPixel * 200 * 150 + 10000);
+  pass->SetMemory(vtkAbsorbancePass::Variable);
+  view.Render();
+  EXPECT_EQ(pass->GetStatistics()->GetBytes(), lists);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestAbsorbancePassOf, BadValuesAreErrorsAndChangeNothing)
+{
+  vtkNew<vtkFourierOpacityPass> fourier;
+  vtkNew<vtkOpacityShadowMapPass> map;
+  const vtkMTimeType before = fourier->GetMTime() + map->GetMTime();
+  const std::pair<std::function<void()>, std::string> bad[] = {
+    { [&] { fourier->SetCoefficients(0); }, "Coefficients is 0, expected 1 to 15" },
+    { [&] { fourier->SetCoefficients(16); }, "Coefficients is 16, expected 1 to 15" },
+    { [&] { map->SetSlices(0); }, "Slices is 0, expected 1 to 32" },
+    { [&] { map->SetSlices(33); }, "Slices is 33, expected 1 to 32" },
+    { [&] { map->SetMemory(2); }, "Memory is 2, expected Fixed (0) or Variable (1)" },
+    { [&] { fourier->SetBounds(-1); }, "Bounds is -1, expected Fragments (0) or Props (1)" },
+    { [&] { fourier->SetOption("alpha_correction", "maybe"); }, "alpha_correction is 'maybe', expected off or on" },
+    { [&] { map->SetOption("slices", "3.5"); }, "slices is '3.5', expected an integer in 1..32" },
+  };
+  for (const auto& [set, expected] : bad)
+  {
+    set();
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u) << expected;
+    EXPECT_NE(messages[0].find(expected), std::string::npos) << messages[0];
+  }
+  EXPECT_EQ(fourier->GetMTime() + map->GetMTime(), before);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestAbsorbancePassOf, OptionsStartWithTheirDefaultsAndTakeTheirEnds)
+{
+  for (const Technique& technique : { Technique{ "", [] { return vtkSmartPointer<vtkFourierOpacityPass>::New(); }, {} },
+         Technique{ "", [] { return vtkSmartPointer<vtkOpacityShadowMapPass>::New(); }, {} } })
+  {
+    const auto pass = technique.New();
+    for (const vtkTranslucencyOption& option : pass->GetOptions())
+    {
+      EXPECT_EQ(option.Get(), option.Default) << option.Name;
+      if (std::isfinite(option.Maximum))
+      {
+        option.Set(option.Maximum);
+        EXPECT_EQ(option.Get(), option.Maximum) << option.Name;
+      }
+      option.Set(option.Minimum);
+      EXPECT_EQ(option.Get(), option.Minimum) << option.Name;
+    }
+  }
+}
