@@ -101,8 +101,71 @@ private:
   Uniforms Units;
 };
 
+// Makes a stage's targets what is drawn to, cleared, and blending what the stage says.
+class vtkTranslucencyFrame::ScopedTargets
+{
+public:
+  ScopedTargets(vtkOpenGLRenderWindow* window, const Stage& stage);
+  ~ScopedTargets();
+  ScopedTargets(const ScopedTargets&) = delete;
+  ScopedTargets& operator=(const ScopedTargets&) = delete;
+
+  void UseBlending();
+
+  /// What is wrong, empty if nothing is.
+  const std::string& GetObstacle() const { return this->Obstacle; }
+
+private:
+  vtkOpenGLRenderWindow* Window;
+  const Stage& Drawn;
+  std::string Obstacle;
+};
+
 namespace
 {
+struct BlendFunction
+{
+  GLenum Equation;
+  std::array<GLenum, 4> Factors; // source and destination, colour and alpha
+};
+
+BlendFunction GetFunction(vtkTranslucencyFrame::Blending blending)
+{
+  using Blending = vtkTranslucencyFrame::Blending;
+  switch (blending)
+  {
+    case Blending::AddAndAttenuate:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Minimum:
+      return { GL_MIN, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+    case Blending::Maximum:
+      return { GL_MAX, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+    case Blending::Over:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Under:
+      return { GL_FUNC_ADD, { { GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE } } };
+    case Blending::Replace:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ZERO, GL_ONE, GL_ZERO } } };
+    default:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+  }
+}
+
+// Whether anything passes the tests of what a function draws. Waits for it.
+template <typename Function>
+bool AnySamplesPass(const Function& draw)
+{
+  GLuint query = 0;
+  GLuint passed = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
+  draw();
+  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
+  glDeleteQueries(1, &query);
+  return passed != 0;
+}
+
 using Rectangle = vtkTranslucencyFrame::Rectangle;
 
 Rectangle Intersect(const Rectangle& a, const Rectangle& b)
@@ -164,6 +227,61 @@ std::string Key(const std::string& name, const std::map<std::string, std::string
   }
   return key;
 }
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::ScopedTargets::ScopedTargets(vtkOpenGLRenderWindow* window, const Stage& stage)
+  : Window(window)
+  , Drawn(stage)
+{
+  if (!stage.Targets)
+  {
+    return;
+  }
+  this->Obstacle = stage.Targets->Bind(window);
+  if (this->Obstacle.empty() && !stage.Keeps)
+  {
+    window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    stage.Targets->Clear(stage.Clear);
+    for (const auto& differing : stage.Differing)
+    {
+      stage.Targets->Clear(differing.first, differing.second.Clear);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::ScopedTargets::~ScopedTargets()
+{
+  if (!this->Drawn.Targets || !this->Obstacle.empty())
+  {
+    return;
+  }
+  if (!this->Drawn.Differing.empty()) // of which the window's cache of OpenGL's state knows nothing
+  {
+    const BlendFunction common = GetFunction(this->Drawn.Blend);
+    glBlendEquation(common.Equation);
+    glBlendFuncSeparate(common.Factors[0], common.Factors[1], common.Factors[2], common.Factors[3]);
+  }
+  this->Drawn.Targets->Unbind();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::ScopedTargets::UseBlending()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const BlendFunction common = GetFunction(this->Drawn.Blend);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(common.Equation);
+  state->vtkglBlendFuncSeparate(common.Factors[0], common.Factors[1], common.Factors[2], common.Factors[3]);
+  for (const auto& differing : this->Drawn.Differing)
+  {
+    const auto buffer = static_cast<GLuint>(differing.first);
+    const BlendFunction own = GetFunction(differing.second.Blend);
+    glBlendEquationi(buffer, own.Equation);
+    glBlendFuncSeparatei(buffer, own.Factors[0], own.Factors[1], own.Factors[2], own.Factors[3]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -447,15 +565,7 @@ bool vtkTranslucencyFrame::NeedsDepthTest()
   const vtkOpenGLState::ScopedglDepthFunc function(state);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_GREATER); // passes where something lies before the far plane
-  GLuint query = 0;
-  GLuint passed = 0;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
-  this->DrawVertices(GL_TRIANGLES, 3);
-  glEndQuery(GL_ANY_SAMPLES_PASSED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
-  glDeleteQueries(1, &query);
-  return passed != 0;
+  return AnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
 }
 
 //------------------------------------------------------------------------------
@@ -471,23 +581,15 @@ void vtkTranslucencyFrame::PrepareDrawing()
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyFrame::DrawGeometry(const Blending* blending)
+void vtkTranslucencyFrame::DrawGeometry(ScopedTargets* targets, bool* any)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
   this->PrepareDrawing();
-  if (blending)
+  if (targets)
   {
-    vtkOpenGLState* state = this->Window->GetState();
-    const bool attenuates = *blending == Blending::AddAndAttenuate;
-    state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendEquation(*blending == Blending::Minimum ? GL_MIN
-        : *blending == Blending::Maximum                     ? GL_MAX
-                                                             : GL_FUNC_ADD);
-    state->vtkglBlendFuncSeparate(
-      GL_ONE, GL_ONE, attenuates ? GL_ZERO : GL_ONE, attenuates ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    this->Window->GetState()->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
+    targets->UseBlending();
   }
   if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
   {
@@ -495,7 +597,15 @@ void vtkTranslucencyFrame::DrawGeometry(const Blending* blending)
   }
   this->Pass->PreRender(this->State);
   kept.Gathering = true;
-  this->Pass->TranslucentPass->Render(this->State);
+  const auto draw = [this] { this->Pass->TranslucentPass->Render(this->State); };
+  if (any)
+  {
+    *any = AnySamplesPass(draw);
+  }
+  else
+  {
+    draw();
+  }
   kept.Gathering = false;
   this->Pass->PostRender(this->State);
   if (kept.OpaqueDepthCaptured)
@@ -640,23 +750,17 @@ bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
+bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, bool* any)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   if (!this->PrepareGather(gathering))
   {
     return false;
   }
-  vtkOpenGLState* state = this->Window->GetState();
-  if (stage.Targets)
+  ScopedTargets targets(this->Window, stage);
+  if (!targets.GetObstacle().empty())
   {
-    const std::string obstacle = stage.Targets->Bind(this->Window);
-    if (!obstacle.empty())
-    {
-      return this->Fail(obstacle);
-    }
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    stage.Targets->Clear(stage.Clear);
+    return this->Fail(targets.GetObstacle());
   }
   {
     const ScopedInputs inputs(this->Window, stage.Inputs);
@@ -664,14 +768,54 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
     kept.GatherUniforms["gatherStage"] = stage.Number;
     kept.GatherUniforms.insert(inputs.GetUnits().begin(), inputs.GetUnits().end());
     kept.GatherError.clear();
-    this->DrawGeometry(stage.Targets ? &stage.Blend : nullptr);
-  }
-  if (stage.Targets)
-  {
-    stage.Targets->Unbind();
+    this->DrawGeometry(stage.Targets ? &targets : nullptr, any);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return kept.GatherError.empty() || this->Fail(kept.GatherError);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& defines, const Stage& stage)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, defines);
+  if (!program)
+  {
+    return false;
+  }
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
+  this->UseTile();
+  ScopedTargets targets(this->Window, stage);
+  if (!targets.GetObstacle().empty())
+  {
+    return this->Fail(targets.GetObstacle());
+  }
+  const ScopedInputs bound(this->Window, stage.Inputs);
+  SetUniforms(program, stage.Values);
+  SetUniforms(program, bound.GetUnits());
+  this->PrepareBlending();
+  targets.UseBlending();
+  this->DrawVertices(GL_TRIANGLES, 3);
+  kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::Clear(const Stage& stage)
+{
+  const ScopedTargets targets(this->Window, stage);
+  return targets.GetObstacle().empty() || this->Fail(targets.GetObstacle());
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkTranslucencyFrame::Read(const vtkTranslucencyTargets& targets, int index)
+{
+  const std::vector<float> values = targets.Read(index, this->Tile, this->Window);
+  if (values.empty())
+  {
+    this->Fail("the driver can't read floating-point colours back");
+  }
+  return values;
 }
 
 //------------------------------------------------------------------------------

@@ -63,7 +63,17 @@ public:
     Add,              ///< all channels
     AddAndAttenuate,  ///< colour is added, alpha multiplied with 1 - alpha
     Minimum,
-    Maximum
+    Maximum,
+    Over,             ///< colours that are multiplied by their opacity: what is drawn in front of what is there,
+    Under,            ///< and behind it
+    Replace
+  };
+
+  /// How a buffer takes what is drawn to it, and what it holds before.
+  struct Buffer
+  {
+    Blending Blend;
+    std::array<float, 4> Clear;
   };
 
   /// A buffer that a stage reads, by the name of the sampler (Shaders/Common/Target.glsl).
@@ -74,7 +84,7 @@ public:
     int Index;
   };
 
-  /// One drawing of the translucent props.
+  /// One drawing of the translucent props, or of the screen.
   struct Stage
   {
     int Number = 0;
@@ -83,6 +93,8 @@ public:
     std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
     std::vector<Input> Inputs;
     Uniforms Values;
+    std::map<int, Buffer> Differing; ///< buffers for which Blend and Clear don't hold: needs Capabilities.MissingForBuffers to be empty
+    bool Keeps = false;              ///< the targets are not cleared
   };
 
   /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
@@ -91,8 +103,19 @@ public:
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
 
-  /// Draws the translucent props.
-  bool Draw(const Gathering& gathering, const Stage& stage);
+  /// Draws the translucent props. If any is given it becomes whether a fragment was left by the depth test and by the gather, which may
+  /// discard fragments; that waits for the drawing's end.
+  bool Draw(const Gathering& gathering, const Stage& stage, bool* any = nullptr);
+
+  /// Runs a shader with a main function of its own over the tile, of which each output goes to a buffer of the stage's targets. Several
+  /// outputs need locations, and so Capabilities.MissingForBuffers to be empty.
+  bool DrawScreen(const std::string& file, const Defines& defines, const Stage& stage);
+
+  /// Clears a stage's targets.
+  bool Clear(const Stage& stage);
+
+  /// What a buffer holds of the tile, as vtkTranslucencyTargets::Read gives it.
+  std::vector<float> Read(const vtkTranslucencyTargets& targets, int index);
 
   /// Runs a shader (which ends with Shaders/Common/Composite.glsl) over the tile and blends what it gives over the opaque picture.
   bool Composite(const std::string& file, const Defines& defines, const std::vector<Input>& inputs, const Uniforms& uniforms = {});
@@ -153,6 +176,7 @@ public:
 private:
   class ScopedTimer;
   class ScopedInputs;
+  class ScopedTargets;
 
   friend class vtkTranslucencyPass;
   static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
@@ -165,7 +189,7 @@ private:
   bool NeedsDepthTest();
   void PrepareDrawing();
   void DrawVertices(unsigned int primitive, int count);
-  void DrawGeometry(const Blending* blending = nullptr); // of colours that are drawn, null if none are
+  void DrawGeometry(ScopedTargets* targets = nullptr, bool* any = nullptr); // colours are drawn to targets
   void PrepareBlending();
   std::map<std::string, std::string> GetSelection() const;
   bool DrawVolumes();

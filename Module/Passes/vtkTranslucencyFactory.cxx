@@ -2,6 +2,7 @@
 
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
+#include "vtkDepthPeelPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
@@ -52,6 +53,7 @@ const Technique Techniques[] = {
   { "exact", "A-buffer: every fragment, sorted and blended", NewPass<vtkABufferPass> },
   { "adaptive", "adaptive transparency: a visibility function of a few nodes a pixel",
     NewPass<vtkAdaptiveTransparencyPass> },
+  { "peel", "depth peeling: layer by layer, in a drawing of the geometry each", NewPass<vtkDepthPeelPass> },
   { "mlab", "multi-layer alpha blending: the nearest layers of a pixel, and the rest merged into the last",
     NewPass<vtkMultiLayerAlphaBlendingPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
