@@ -477,6 +477,7 @@ bool vtkTranslucencyFrame::PrepareGather()
   kept.GatherText = shader.GetText();
   kept.GatherCall = GatherCall(0, false);
   kept.GatherStores = true;
+  kept.GatherRejects = false;
   kept.Volumes.SetGatherText(volumes.GetText());
   kept.GatherTextTime.Modified();
   return true;
@@ -511,6 +512,7 @@ bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
   kept.GatherText = shader.GetText();
   kept.GatherCall = call;
   kept.GatherStores = gathering.Critical;
+  kept.GatherRejects = gathering.Rejects;
   kept.GatherTextTime.Modified();
   return true;
 }

@@ -56,6 +56,7 @@ public:
     Defines Values;
     int Outputs = 0;       ///< colours that are drawn to targets
     bool Critical = false; ///< whether it changes records of pixels under a critical section
+    bool Rejects = false;  ///< whether File gives rejectFragment(depth), too, which discards fragments before they are shaded
   };
 
   enum class Blending

@@ -45,6 +45,7 @@ struct vtkTranslucencyPass::Internals
   std::string GatherText;
   std::string GatherCall;    // the call of it; GATHERED_DEPTH stands for the fragment's depth
   bool GatherStores = false; // whether it has effects besides the colours that it draws
+  bool GatherRejects = false; // whether the text has a function to be called before the fragment is shaded
   vtkTimeStamp GatherTextTime;
   bool Gathering = false;
   vtkTranslucencyFrame::Uniforms GatherUniforms; // of the stage, its samplers' texture units among them

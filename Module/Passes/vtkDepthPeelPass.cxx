@@ -33,7 +33,10 @@ constexpr int Back = 2;
 
 vtkTranslucencyFrame::Gathering GetGathering(int method)
 {
-  return { "Peel/Gather.glsl", { { "PEEL_METHOD", Methods[method] } }, method == vtkDepthPeelPass::Dual ? 3 : 2 };
+  vtkTranslucencyFrame::Gathering gathering{ "Peel/Gather.glsl", { { "PEEL_METHOD", Methods[method] } } };
+  gathering.Outputs = method == vtkDepthPeelPass::Dual ? 3 : 2;
+  gathering.Rejects = true;
+  return gathering;
 }
 
 // A premultiplied colour in floats as one in bytes that is not.

@@ -8,7 +8,7 @@
 // The tail is all that is between the bounds after the last layer: the sums of opacity * colour and of opacity, and the product of
 // 1 - opacity, in any order.
 //
-// Needs: PEEL_METHOD, TARGET_SAMPLES.  Gives: gatherFragment; outputs 0: bounds, or in the tail the opacity, 1: front layer, or the
+// Needs: PEEL_METHOD, TARGET_SAMPLES.  Gives: rejectFragment, gatherFragment; outputs 0: bounds, or in the tail the opacity, 1: front layer, or the
 // tail's colour, 2: back layer.
 #ifndef PEEL_METHOD
 #error "Peel/Gather.glsl needs PEEL_METHOD"
@@ -25,22 +25,30 @@
 uniform int gatherStage;
 uniform Target peelBounds;
 
-void gatherFragment(vec4 color, float depth, out vec4 outputs[PEEL_OUTPUTS])
+// What has been peeled.
+void rejectFragment(float depth)
 {
   vec2 bounds = fetchTarget(peelBounds, ivec2(gl_FragCoord.xy)).rg;
-  bool tail = gatherStage == PEEL_STAGE_TAIL;
   bool peeled = depth < -bounds.x;
-  bool nearest = depth == -bounds.x;
 #if PEEL_METHOD == PEEL_DUAL
   peeled = peeled || depth > bounds.y;
-  bool farthest = depth == bounds.y && !nearest;
-#else
-  bool farthest = false;
 #endif
   if (peeled)
   {
     discard;
   }
+}
+
+void gatherFragment(vec4 color, float depth, out vec4 outputs[PEEL_OUTPUTS])
+{
+  vec2 bounds = fetchTarget(peelBounds, ivec2(gl_FragCoord.xy)).rg;
+  bool tail = gatherStage == PEEL_STAGE_TAIL;
+  bool nearest = depth == -bounds.x;
+#if PEEL_METHOD == PEEL_DUAL
+  bool farthest = depth == bounds.y && !nearest;
+#else
+  bool farthest = false;
+#endif
   vec4 layer = vec4(color.a * color.rgb, color.a);
   outputs[0] = tail ? vec4(color.a) : nearest || farthest ? NO_BOUNDS : vec4(-depth, depth, 0.0, 0.0);
   outputs[1] = tail || nearest ? layer : vec4(0.0);
