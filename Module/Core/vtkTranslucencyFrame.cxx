@@ -144,8 +144,6 @@ BlendFunction GetFunction(vtkTranslucencyFrame::Blending blending)
       return { GL_FUNC_ADD, { { GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } } };
     case Blending::Under:
       return { GL_FUNC_ADD, { { GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE } } };
-    case Blending::Replace:
-      return { GL_FUNC_ADD, { { GL_ONE, GL_ZERO, GL_ONE, GL_ZERO } } };
     default:
       return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
   }

@@ -66,8 +66,7 @@ public:
     Minimum,
     Maximum,
     Over,             ///< colours that are multiplied by their opacity: what is drawn in front of what is there,
-    Under,            ///< and behind it
-    Replace
+    Under             ///< and behind it
   };
 
   /// How a buffer takes what is drawn to it, and what it holds before.

@@ -21,8 +21,8 @@ const char* const Methods[] = { "PEEL_FRONT_TO_BACK", "PEEL_DUAL" };
 constexpr int MostLayers = 65536;
 
 // Shaders/Peel/Methods.glsl
-constexpr std::array<float, 4> NoBounds{ { -2, -1, 0, 0 } };
-constexpr std::array<float, 4> AllWithin{ { 1, 2, 0, 0 } };
+constexpr std::array<float, 4> NoBounds{ { -1e30f, -1e30f, 0, 0 } };
+constexpr std::array<float, 4> AllWithin{ { 1e30f, 1e30f, 0, 0 } };
 constexpr int PeelStage = 0;
 constexpr int TailStage = 1;
 
@@ -205,7 +205,7 @@ bool vtkDepthPeelPass::Peel(vtkTranslucencyFrame& frame, bool& left)
   vtkTranslucencyFrame::Stage merge;
   merge.Targets = &this->Merged;
   merge.Blend = Blending::Under;
-  merge.Differing[Bounds] = { Blending::Replace, AllWithin };
+  merge.Differing[Bounds] = { Blending::Minimum, AllWithin };
   merge.Inputs = { { "nextBounds", &this->Peeled, Bounds }, { "frontLayer", &this->Peeled, Front } };
   if (dual)
   {

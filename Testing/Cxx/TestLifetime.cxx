@@ -3,6 +3,7 @@
 #include "RenderTest.h"
 
 #include <vtkActor.h>
+#include <vtkDepthPeelPass.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
 
@@ -38,7 +39,7 @@ AnalyticScene Layers()
 struct Case
 {
   std::string Name;
-  std::function<vtkSmartPointer<vtkFragmentListPass>()> New;
+  std::function<vtkSmartPointer<vtkTranslucencyPass>()> New;
   int Samples;
 };
 
@@ -163,13 +164,22 @@ std::vector<Case> Cases()
   {
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
     cases.push_back({ "Exact" + suffix,
-      [] { return vtkSmartPointer<vtkFragmentListPass>(vtkSmartPointer<vtkABufferPass>::New()); },
+      [] { return vtkSmartPointer<vtkTranslucencyPass>(vtkSmartPointer<vtkABufferPass>::New()); },
       samples });
     cases.push_back({ "Adaptive" + suffix,
       []
       {
-        return vtkSmartPointer<vtkFragmentListPass>(
+        return vtkSmartPointer<vtkTranslucencyPass>(
           vtkSmartPointer<vtkAdaptiveTransparencyPass>::New());
+      },
+      samples });
+    cases.push_back({ "Peel" + suffix,
+      []
+      {
+        auto pass = vtkSmartPointer<vtkDepthPeelPass>::New();
+        pass->SetMethod(vtkDepthPeelPass::FrontToBack);
+        pass->KeepLayersOn();
+        return vtkSmartPointer<vtkTranslucencyPass>(pass);
       },
       samples });
   }

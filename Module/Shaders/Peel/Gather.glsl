@@ -25,15 +25,15 @@
 uniform int gatherStage;
 uniform Target peelBounds;
 
-// What has been peeled.
+// What has been peeled, or has no depth (not a number).
 void rejectFragment(float depth)
 {
   vec2 bounds = fetchTarget(peelBounds, ivec2(gl_FragCoord.xy)).rg;
-  bool peeled = depth < -bounds.x;
+  bool left = depth >= -bounds.x;
 #if PEEL_METHOD == PEEL_DUAL
-  peeled = peeled || depth > bounds.y;
+  left = left && depth <= bounds.y;
 #endif
-  if (peeled)
+  if (!left)
   {
     discard;
   }

@@ -13,6 +13,7 @@
 
 #define PEEL_STAGE_TAIL 1 // the stage that draws what was not peeled; 0 peels
 
-#define NO_BOUNDS vec4(-2.0, -1.0, 0.0, 0.0) // where no fragment is left: nearest behind every depth, farthest in front
+// Where no fragment is left: nearest behind every depth, farthest in front. Shaders that set gl_FragDepth may pass 0 and 1.
+#define NO_BOUNDS vec4(-1e30, -1e30, 0.0, 0.0)
 
 #endif
