@@ -20,6 +20,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// What coverage masks need and the driver lacks, in the same way.
   std::string MissingForSamples;
 
+  /// What it needs to draw to several buffers at once, each with a blending of its own, in the same way.
+  std::string MissingForBuffers;
+
   /// The extension by which a fragment shader can have a pixel to itself, in the order of drawing; empty if the driver has none.
   std::string Interlock;
 

@@ -105,8 +105,69 @@ private:
   Uniforms Units;
 };
 
+// Makes a stage's targets what is drawn to, and clears them.
+class vtkTranslucencyFrame::ScopedTargets
+{
+public:
+  ScopedTargets(vtkOpenGLRenderWindow* window, const Stage& stage);
+  ~ScopedTargets();
+  ScopedTargets(const ScopedTargets&) = delete;
+  ScopedTargets& operator=(const ScopedTargets&) = delete;
+
+  /// What is wrong, empty if nothing is.
+  const std::string& GetObstacle() const { return this->Obstacle; }
+
+private:
+  vtkOpenGLRenderWindow* Window;
+  const Stage& Drawn;
+  std::string Obstacle;
+};
+
 namespace
 {
+struct BlendFunction
+{
+  GLenum Equation;
+  std::array<GLenum, 4> Factors; // source and destination, colour and alpha
+};
+
+BlendFunction GetFunction(vtkTranslucencyFrame::Blending blending)
+{
+  using Blending = vtkTranslucencyFrame::Blending;
+  switch (blending)
+  {
+    case Blending::AddAndAttenuate:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Minimum:
+      return { GL_MIN, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+    case Blending::Maximum:
+      return { GL_MAX, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+    case Blending::Over:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Under:
+      return { GL_FUNC_ADD, { { GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Replace:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ZERO, GL_ONE, GL_ZERO } } };
+    default:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+  }
+}
+
+// Whether anything passes the tests of what a function draws. Waits for it.
+template <typename Function>
+bool AnySamplesPass(const Function& draw)
+{
+  GLuint query = 0;
+  GLuint passed = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
+  draw();
+  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
+  glDeleteQueries(1, &query);
+  return passed != 0;
+}
+
 using Rectangle = vtkTranslucencyFrame::Rectangle;
 
 Rectangle Intersect(const Rectangle& a, const Rectangle& b)
@@ -168,6 +229,43 @@ std::string Key(const std::string& name, const std::map<std::string, std::string
   }
   return key;
 }
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::ScopedTargets::ScopedTargets(vtkOpenGLRenderWindow* window, const Stage& stage)
+  : Window(window)
+  , Drawn(stage)
+{
+  if (!stage.Targets)
+  {
+    return;
+  }
+  this->Obstacle = stage.Targets->Bind(window, stage.HidesBehind);
+  if (this->Obstacle.empty() && !stage.Keep)
+  {
+    window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    stage.Targets->Clear(stage.Clear);
+    for (const auto& differing : stage.Differing)
+    {
+      stage.Targets->Clear(differing.first, differing.second.Clear);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::ScopedTargets::~ScopedTargets()
+{
+  if (!this->Drawn.Targets || !this->Obstacle.empty())
+  {
+    return;
+  }
+  if (!this->Drawn.Differing.empty()) // of which the window's cache of OpenGL's state knows nothing
+  {
+    const BlendFunction common = GetFunction(this->Drawn.Blend);
+    glBlendEquation(common.Equation);
+    glBlendFuncSeparate(common.Factors[0], common.Factors[1], common.Factors[2], common.Factors[3]);
+  }
+  this->Drawn.Targets->Unbind();
 }
 
 //------------------------------------------------------------------------------
@@ -363,6 +461,7 @@ bool vtkTranslucencyFrame::PrepareGather()
   kept.GatherText = shader.GetText();
   kept.GatherCall = GatherCall(0, false);
   kept.GatherStores = true;
+  kept.GatherRejects = false;
   kept.Volumes.SetGatherText(volumes.GetText());
   kept.GatherTextTime.Modified();
   return true;
@@ -397,6 +496,7 @@ bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
   kept.GatherText = shader.GetText();
   kept.GatherCall = call;
   kept.GatherStores = gathering.Critical;
+  kept.GatherRejects = gathering.Rejects;
   kept.GatherTextTime.Modified();
   return true;
 }
@@ -451,15 +551,7 @@ bool vtkTranslucencyFrame::NeedsDepthTest()
   const vtkOpenGLState::ScopedglDepthFunc function(state);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_GREATER); // passes where something lies before the far plane
-  GLuint query = 0;
-  GLuint passed = 0;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
-  this->DrawVertices(GL_TRIANGLES, 3);
-  glEndQuery(GL_ANY_SAMPLES_PASSED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
-  glDeleteQueries(1, &query);
-  return passed != 0;
+  return AnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
 }
 
 //------------------------------------------------------------------------------
@@ -477,32 +569,19 @@ void vtkTranslucencyFrame::PrepareDrawing()
 //------------------------------------------------------------------------------
 void vtkTranslucencyFrame::PrepareColors(const Stage& stage)
 {
-  struct Functions
-  {
-    unsigned int Equation;
-    unsigned int Source;
-    unsigned int Destination;
-    unsigned int SourceAlpha;
-    unsigned int DestinationAlpha;
-  };
-  static const std::map<Blending, Functions> blendings{
-    { Blending::Add, { GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ONE, GL_ONE } },
-    { Blending::AddAndAttenuate, { GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } },
-    { Blending::Over, { GL_FUNC_ADD, GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } },
-    { Blending::Under, { GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } },
-    { Blending::Minimum, { GL_MIN, GL_ONE, GL_ONE, GL_ONE, GL_ONE } },
-    { Blending::Maximum, { GL_MAX, GL_ONE, GL_ONE, GL_ONE, GL_ONE } },
-  };
   vtkOpenGLState* state = this->Window->GetState();
   state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const auto found = blendings.find(stage.Blend);
-  state->SetEnumState(GL_BLEND, found != blendings.end());
-  if (found != blendings.end())
+  state->SetEnumState(GL_BLEND, stage.Blend != Blending::Replace);
+  const BlendFunction common = GetFunction(stage.Blend);
+  state->vtkglBlendEquation(common.Equation);
+  state->vtkglBlendFuncSeparate(common.Factors[0], common.Factors[1], common.Factors[2], common.Factors[3]);
+  for (const auto& differing : stage.Differing)
   {
-    const Functions& blend = found->second;
-    state->vtkglBlendEquation(blend.Equation);
-    state->vtkglBlendFuncSeparate(blend.Source, blend.Destination, blend.SourceAlpha, blend.DestinationAlpha);
+    const auto buffer = static_cast<GLuint>(differing.first);
+    const BlendFunction own = GetFunction(differing.second.Blend);
+    glBlendEquationi(buffer, own.Equation);
+    glBlendFuncSeparatei(buffer, own.Factors[0], own.Factors[1], own.Factors[2], own.Factors[3]);
   }
   if (stage.HidesBehind)
   {
@@ -511,7 +590,7 @@ void vtkTranslucencyFrame::PrepareColors(const Stage& stage)
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors)
+void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors, bool* any)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   ScopedTimer timer(this->Pass->MeasureTimes, kept.GatherTime);
@@ -534,23 +613,33 @@ void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors)
     kept.Hook->PostRender(state);
     kept.RenderedProps += this->Pass->TranslucentPass->GetNumberOfRenderedProps();
   };
-  if (stage.Parts.empty())
-  {
-    draw(this->State);
-  }
-  for (const Part& part : stage.Parts)
-  {
-    std::vector<vtkProp*> props{ part.Prop };
-    vtkRenderState one(this->State->GetRenderer());
-    vtkTranslucencySetProps(one, props, this->State);
-    kept.GatherUniforms["gatherPart"] = part.Number;
-    kept.GatherFaces = part.Drawn;
-    draw(&one);
-    if (part.Drawn != Faces::All) // what follows need not care for culling
+  const auto drawAll = [&] {
+    if (stage.Parts.empty())
     {
-      this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
+      draw(this->State);
     }
-    kept.GatherFaces = Faces::All;
+    for (const Part& part : stage.Parts)
+    {
+      std::vector<vtkProp*> props{ part.Prop };
+      vtkRenderState one(this->State->GetRenderer());
+      vtkTranslucencySetProps(one, props, this->State);
+      kept.GatherUniforms["gatherPart"] = part.Number;
+      kept.GatherFaces = part.Drawn;
+      draw(&one);
+      if (part.Drawn != Faces::All) // what follows need not care for culling
+      {
+        this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
+      }
+      kept.GatherFaces = Faces::All;
+    }
+  };
+  if (any)
+  {
+    *any = AnySamplesPass(drawAll);
+  }
+  else
+  {
+    drawAll();
   }
   if (kept.OpaqueDepthCaptured)
   {
@@ -765,28 +854,19 @@ std::array<double, 2> vtkTranslucencyFrame::GetDepthRange() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
+bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, bool* any)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   if (!this->PrepareGather(gathering))
   {
     return false;
   }
-  vtkOpenGLState* state = this->Window->GetState();
-  if (stage.Targets)
+  ScopedTargets targets(this->Window, stage);
+  if (!targets.GetObstacle().empty())
   {
-    const std::string obstacle = stage.Targets->Bind(this->Window, stage.HidesBehind);
-    if (!obstacle.empty())
-    {
-      return this->Fail(obstacle);
-    }
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    if (!stage.Keep)
-    {
-      stage.Targets->Clear(stage.Clear);
-    }
+    return this->Fail(targets.GetObstacle());
   }
-  else
+  if (!stage.Targets)
   {
     this->UseTile();
   }
@@ -796,14 +876,54 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage)
     kept.GatherUniforms["gatherStage"] = stage.Number;
     kept.GatherUniforms.insert(inputs.GetUnits().begin(), inputs.GetUnits().end());
     kept.GatherError.clear();
-    this->DrawGeometry(stage, gathering.Outputs > 0);
-  }
-  if (stage.Targets)
-  {
-    stage.Targets->Unbind();
+    this->DrawGeometry(stage, gathering.Outputs > 0, any);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return kept.GatherError.empty() || this->Fail(kept.GatherError);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& defines, const Stage& stage)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, defines);
+  if (!program)
+  {
+    return false;
+  }
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
+  this->UseTile();
+  ScopedTargets targets(this->Window, stage);
+  if (!targets.GetObstacle().empty())
+  {
+    return this->Fail(targets.GetObstacle());
+  }
+  const ScopedInputs bound(this->Window, stage.Inputs);
+  SetUniforms(program, stage.Values);
+  SetUniforms(program, bound.GetUnits());
+  this->PrepareBlending();
+  this->PrepareColors(stage);
+  this->DrawVertices(GL_TRIANGLES, 3);
+  kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::Clear(const Stage& stage)
+{
+  const ScopedTargets targets(this->Window, stage);
+  return targets.GetObstacle().empty() || this->Fail(targets.GetObstacle());
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkTranslucencyFrame::Read(const vtkTranslucencyTargets& targets, int index)
+{
+  const std::vector<float> values = targets.Read(index, this->Tile, this->Window);
+  if (values.empty())
+  {
+    this->Fail("the driver can't read floating-point colours back");
+  }
+  return values;
 }
 
 //------------------------------------------------------------------------------

@@ -59,6 +59,7 @@ public:
     Defines Values;
     int Outputs = 0;       ///< colours that are drawn to targets
     bool Critical = false; ///< whether it changes records of pixels under a critical section
+    bool Rejects = false;  ///< whether File gives rejectFragment(depth), too, which discards fragments before they are shaded
   };
 
   enum class Blending
@@ -70,6 +71,13 @@ public:
     Under,            ///< behind it: alpha is what is still seen, from 1 on
     Minimum,
     Maximum
+  };
+
+  /// How a buffer takes what is drawn to it, and what it holds before.
+  struct Buffer
+  {
+    Blending Blend;
+    std::array<float, 4> Clear;
   };
 
   /// A buffer that a stage reads, by the name of the sampler (Shaders/Common/Target.glsl).
@@ -95,7 +103,7 @@ public:
     Faces Drawn = Faces::All; ///< of its polygons; lines and points have no faces and are drawn in any case
   };
 
-  /// One drawing of the translucent props.
+  /// One drawing of the translucent props, or of the screen.
   struct Stage
   {
     int Number = 0;
@@ -106,6 +114,7 @@ public:
     std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
     std::vector<Input> Inputs;
     Uniforms Values;
+    std::map<int, Buffer> Differing; ///< buffers for which Blend and Clear don't hold: needs Capabilities.MissingForBuffers to be empty
     bool Keep = false; ///< whether Targets keep what is in them, of earlier stages or frames, instead of being cleared
   };
 
@@ -121,12 +130,24 @@ public:
   /// The translucent props, in the order of drawing.
   std::vector<vtkProp*> GetProps() const;
   vtkRenderer* GetRenderer() const;
+
   /// Between which depths the boxes of the translucent props lie, 0 at the near plane, 1 at the far plane, linear in the distance
   /// (Shaders/Common/LinearDepth.glsl). All of it where a prop does not know its box.
   std::array<double, 2> GetDepthRange() const;
 
-  /// Draws the translucent props.
-  bool Draw(const Gathering& gathering, const Stage& stage);
+  /// Draws the translucent props. If any is given it becomes whether a fragment was left by the depth test and by the gather, which may
+  /// discard fragments; that waits for the drawing's end.
+  bool Draw(const Gathering& gathering, const Stage& stage, bool* any = nullptr);
+
+  /// Runs a shader with a main function of its own over the tile, of which each output goes to a buffer of the stage's targets. Several
+  /// outputs need locations, and so Capabilities.MissingForBuffers to be empty.
+  bool DrawScreen(const std::string& file, const Defines& defines, const Stage& stage);
+
+  /// Clears a stage's targets.
+  bool Clear(const Stage& stage);
+
+  /// What a buffer holds of the tile, as vtkTranslucencyTargets::Read gives it.
+  std::vector<float> Read(const vtkTranslucencyTargets& targets, int index);
 
   /// Runs a shader (which ends with Shaders/Common/Composite.glsl) over the tile and blends what it gives over the opaque picture.
   bool Composite(const std::string& file, const Defines& defines, const std::vector<Input>& inputs, const Uniforms& uniforms = {});
@@ -191,6 +212,7 @@ public:
 private:
   class ScopedTimer;
   class ScopedInputs;
+  class ScopedTargets;
 
   friend class vtkTranslucencyPass;
   static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
@@ -203,7 +225,7 @@ private:
   bool NeedsDepthTest();
   void PrepareDrawing();
   void DrawVertices(unsigned int primitive, int count);
-  void DrawGeometry(const Stage& stage, bool colors);
+  void DrawGeometry(const Stage& stage, bool colors, bool* any = nullptr);
   void PrepareColors(const Stage& stage);
   void PrepareBlending();
   std::map<std::string, std::string> GetSelection() const;

@@ -556,6 +556,8 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
   }
   const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
   const std::string call = std::regex_replace(kept.GatherCall, std::regex("GATHERED_DEPTH"), depth);
+  const std::string reject = std::string(tests ? "if (behindOpaque(gl_FragDepth)) { discard; }\n" : "") +
+    (kept.GatherRejects ? "rejectFragment(" + depth + ");\n" : "");
 
   const std::string who = mapper->GetClassName();
   std::string& error = kept.GatherError;
@@ -563,9 +565,7 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
   return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&
     Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, who, error) &&
     Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl", call, who, error) &&
-    (!tests ||
-      Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor",
-        "if (behindOpaque(gl_FragDepth)) { discard; }\n", who, error));
+    (reject.empty() || Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor", reject, who, error));
 }
 
 //------------------------------------------------------------------------------

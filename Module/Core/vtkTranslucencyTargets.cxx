@@ -184,8 +184,50 @@ void vtkTranslucencyTargets::Clear(const std::array<float, 4>& value)
 {
   for (std::size_t i = 0; i < this->Textures.size(); ++i)
   {
-    glClearBufferfv(GL_COLOR, static_cast<GLint>(i), value.data());
+    this->Clear(static_cast<int>(i), value);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyTargets::Clear(int index, const std::array<float, 4>& value)
+{
+  glClearBufferfv(GL_COLOR, index, value.data());
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkTranslucencyTargets::Read(
+  int index, const std::array<int, 4>& rectangle, vtkOpenGLRenderWindow* window) const
+{
+  const auto attachment = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + index);
+  const int right = rectangle[0] + rectangle[2];
+  const int top = rectangle[1] + rectangle[3];
+  while (glGetError() != GL_NO_ERROR)
+  {
+    // an older error is not this copy's
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
+  glReadBuffer(attachment);
+  vtkTranslucencyTargets means;
+  if (this->Samples > 1 && means.Reserve(this->Width, this->Height, 1, { this->Formats[index] }))
+  {
+    // Samples can't be read, but a copy makes them their mean.
+    glGenFramebuffers(1, &means.Framebuffer);
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, means.Framebuffer);
+    glFramebufferTexture(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, means.Textures[0], 0);
+    glBlitFramebuffer(rectangle[0], rectangle[1], right, top, rectangle[0], rectangle[1], right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, means.Framebuffer);
+  }
+  std::vector<float> values(4 * static_cast<std::size_t>(rectangle[2]) * rectangle[3]);
+  glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3], GL_RGBA, GL_FLOAT, values.data());
+  state->PopFramebufferBindings();
+  means.Release();
+  if (glGetError() != GL_NO_ERROR)
+  {
+    values.clear();
+  }
+  return values;
 }
 
 //------------------------------------------------------------------------------

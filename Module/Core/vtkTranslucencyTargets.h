@@ -44,6 +44,13 @@ public:
   /// Sets all of them to a value, within the scissor rectangle. They have to be bound.
   void Clear(const std::array<float, 4>& value);
 
+  /// The same for one of them.
+  void Clear(int index, const std::array<float, 4>& value);
+
+  /// What one of them holds within a rectangle (x, y, width, height), four floats a pixel, row by row from the bottom: the mean of a
+  /// pixel's samples. They must not be bound. Empty if the driver can't.
+  std::vector<float> Read(int index, const std::array<int, 4>& rectangle, vtkOpenGLRenderWindow* window) const;
+
   /// Makes the framebuffer that was bound before Bind what is drawn to.
   void Unbind();
 

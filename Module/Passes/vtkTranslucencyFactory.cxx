@@ -5,6 +5,7 @@
 #include "vtkHybridTransparencyPass.h"
 #include "vtkKBufferPass.h"
 #include "vtkAdditiveTransparencyPass.h"
+#include "vtkDepthPeelPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
 #include "vtkScreenDoorPass.h"
 #include "vtkSortedTransparencyPass.h"
@@ -61,6 +62,7 @@ const Technique Techniques[] = {
   { "exact", "A-buffer: every fragment, sorted and blended", NewPass<vtkABufferPass> },
   { "adaptive", "adaptive transparency: a visibility function of a few nodes a pixel",
     NewPass<vtkAdaptiveTransparencyPass> },
+  { "peel", "depth peeling: layer by layer, in a drawing of the geometry each", NewPass<vtkDepthPeelPass> },
   { "mlab", "multi-layer alpha blending: the nearest layers of a pixel, and the rest merged into the last",
     NewPass<vtkMultiLayerAlphaBlendingPass> },
   { "kbuffer", "k-buffer: the nearest fragments of a pixel exactly, and no others", NewPass<vtkKBufferPass> },

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <regex>
 
 namespace
 {
@@ -165,7 +166,7 @@ std::vector<Case> Cases()
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
     // With a choice that holds other objects than the default does, too.
     std::vector<std::array<std::string, 3>> arrangements{ { "adaptive", "memory", "fixed" },
-      { "fourier", "memory", "fixed" }, { "sorted", "order", "centroid" } };
+      { "fourier", "memory", "fixed" }, { "sorted", "order", "centroid" }, { "peel", "method", "front-to-back" } };
     for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
     {
       arrangements.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });
@@ -181,7 +182,7 @@ std::vector<Case> Cases()
       };
       if (create())
       {
-        cases.push_back({ name + choice + suffix, create, samples });
+        cases.push_back({ std::regex_replace(name + choice, std::regex("-"), "") + suffix, create, samples });
       }
     }
   }

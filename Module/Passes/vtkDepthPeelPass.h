@@ -1,0 +1,136 @@
+/**
+ * @class   vtkDepthPeelPass
+ * @brief   depth peeling: the layers of the picture one after the other, in a drawing of the geometry each
+ *
+ * The picture is exact when all layers have been peeled, in memory that doesn't depend on how many there are; the time is that of drawing the
+ * geometry once for each. Layers are composited in 32-bit floats, so that thousands of them add up right. Fragments of a pixel that have
+ * the very same depth are one layer, in which later drawn ones are put over earlier ones: none is lost. The methods:
+ * - FrontToBack: Everitt, "Interactive order-independent transparency" (NVIDIA 2001). The nearest layer is drawn first.
+ * - Dual: Bavoil and Myers, "Order independent transparency with dual depth peeling" (NVIDIA 2008). Each drawing takes off the
+ *   nearest and the farthest layer.
+ *
+ * Both find the depths of the next layers in the drawing that takes off the last ones, by blending with GL_MAX, as Bavoil and Myers do:
+ * L layers take L + 2 drawings from front to back, and L / 2 + 2 from both sides, of which the last finds nothing left.
+ *
+ * Stages:
+ * 1. Peel: of each pixel, colours of the fragments at the depths that the drawing before has found, and the depths of the next (20 bytes a
+ *    pixel and sample; Dual 40).
+ * 2. Merge, over the screen: these layers are put behind those that have been peeled from the front, and in front of those from
+ *    the back (20 bytes a pixel and sample; Dual 40). Stages 1 and 2 are repeated until no fragment is left, which an occlusion
+ *    query tells, or as often as Layers says.
+ * 3. Tail, if fragments are left and Tail is Average: one more drawing adds them up, into the memory of stage 1.
+ * 4. Composite.
+ *
+ * Not here: bucket sort peeling (Liu, Huang, Liu and Wu 2009), which takes up to 32 layers off a pixel at once. Eight buffers have
+ * room for the depths of 32 fragments, but not for their colours in floats, and where two of a pixel's fragments fall into one of its 32
+ * intervals of depth, only the layers in front of them are right: with depths at random that is after seven on average, in three to
+ * four drawings to eight buffers each; Dual takes eight in four, to three buffers.
+ */
+#ifndef vtkDepthPeelPass_h
+#define vtkDepthPeelPass_h
+
+#include "vtkSmartPointer.h" // for Images
+#include "vtkTranslucencyPass.h"
+#include "vtkTranslucencyTargets.h" // for Peeled, Merged
+
+#include <vector> // for Images
+
+class vtkImageData;
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkDepthPeelPass : public vtkTranslucencyPass
+{
+public:
+  static vtkDepthPeelPass* New();
+  vtkTypeMacro(vtkDepthPeelPass, vtkTranslucencyPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum MethodType
+  {
+    FrontToBack = 0,
+    Dual = 1
+  };
+
+  enum TailType
+  {
+    Drop = 0,
+    Average = 1
+  };
+
+  ///@{
+  /**
+   * FrontToBack, or Dual (the default: it needs half as many drawings). Another value is an error and changes nothing.
+   */
+  void SetMethod(int method);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most layers to peel, up to 65536; 0 (the default) peels until nothing is left. From front to back, these are the nearest; Dual takes one
+   * half from the front and one from the back, and one more where the number is odd. Another value is an error and changes nothing.
+   */
+  void SetLayers(int layers);
+  vtkGetMacro(Layers, int);
+  ///@}
+
+  ///@{
+  /**
+   * What is done with fragments that are left after so many layers, behind the nearest ones, and with Dual in front of the farthest ones:
+   * Drop, or Average (the default): drawn in their place as one layer, of their mean colour, weighted by opacity, that lets through
+   * exactly what they let through. Another value is an error and changes nothing.
+   */
+  void SetTail(int tail);
+  vtkGetMacro(Tail, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the layers of each frame are kept as images, from front to back only. Off by default: it reads each back from the GPU.
+   */
+  vtkSetMacro(KeepLayers, bool);
+  vtkGetMacro(KeepLayers, bool);
+  vtkBooleanMacro(KeepLayers, bool);
+  ///@}
+
+  /**
+   * How many layers of the last frame were kept: 0 if KeepLayers is off or Method is Dual.
+   */
+  int GetNumberOfKeptLayers();
+
+  /**
+   * A layer that was kept, the nearest is 0: of each pixel of the renderer's viewport, colour and opacity of its fragment of that number, in bytes
+   * (red, green, blue, alpha; colour not multiplied by opacity), all 0 where it has none. Of a multi-sampled window, the mean of the pixel's
+   * samples. It is valid until the next frame. Another index is an error and gives null.
+   */
+  vtkImageData* GetKeptLayer(int index);
+
+  std::vector<vtkTranslucencyOption> GetOptions() override;
+  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
+
+protected:
+  vtkDepthPeelPass();
+  ~vtkDepthPeelPass() override;
+
+  bool RenderStages(vtkTranslucencyFrame& frame) override;
+  vtkTypeInt64 GetTechniqueBytes() override;
+  void ReleaseTechniqueResources(bool contextAlive) override;
+
+  int Method = Dual;
+  int Layers = 0;
+  int Tail = Average;
+  bool KeepLayers = false;
+
+private:
+  bool Peel(vtkTranslucencyFrame& frame, bool& left); // left becomes whether fragments are
+  bool KeepLayer(vtkTranslucencyFrame& frame);
+  bool AddTail(vtkTranslucencyFrame& frame);
+
+  vtkTranslucencyTargets Peeled; // by the last drawing: bounds of the next layers (Shaders/Peel/Methods.glsl), front layer, back layer
+  vtkTranslucencyTargets Merged; // bounds of these layers, layers from the front, layers from the back
+  std::vector<vtkSmartPointer<vtkImageData>> Images;
+
+  vtkDepthPeelPass(const vtkDepthPeelPass&) = delete;
+  void operator=(const vtkDepthPeelPass&) = delete;
+};
+
+#endif
