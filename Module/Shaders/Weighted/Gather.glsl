@@ -23,18 +23,28 @@
 uniform float weightNear;
 uniform float weightFar;
 
+float cube(float x)
+{
+  return x * x * x;
+}
+
+float square(float x)
+{
+  return x * x;
+}
+
 float weight(float depth)
 {
 #if WEIGHT_FUNCTION == 10
-  return max(1e-2, 3e3 * pow(1.0 - depth, 3.0));
+  return max(1e-2, 3e3 * cube(1.0 - depth));
 #else
   float z = mix(weightNear, weightFar, linearDepth(depth));
 #if WEIGHT_FUNCTION == 7
-  float w = 10.0 / (1e-5 + pow(z / 5.0, 2.0) + pow(z / 200.0, 6.0));
+  float w = 10.0 / (1e-5 + square(z / 5.0) + square(cube(z / 200.0)));
 #elif WEIGHT_FUNCTION == 8
-  float w = 10.0 / (1e-5 + pow(z / 10.0, 3.0) + pow(z / 200.0, 6.0));
+  float w = 10.0 / (1e-5 + cube(z / 10.0) + square(cube(z / 200.0)));
 #else
-  float w = 0.03 / (1e-5 + pow(z / 200.0, 4.0));
+  float w = 0.03 / (1e-5 + square(square(z / 200.0)));
 #endif
   return clamp(w, 1e-2, 3e3);
 #endif
