@@ -6,6 +6,7 @@
 #include "LabelVolume.h"
 #include "Progress.h"
 #include "Readers.h"
+#include "Streamtubes.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
@@ -119,7 +120,11 @@ void AddInput(const Input& input, Scene& scene)
   Progress progress("reading");
   progress.Step(name);
   const FileContents contents = ReadFile(input.Source);
-  if (!contents.Actors.empty())
+  if (input.Tubes)
+  {
+    AddStreamtubes(input, contents.Data, scene);
+  }
+  else if (!contents.Actors.empty())
   {
     AddActors(input, contents.Actors, scene);
   }
