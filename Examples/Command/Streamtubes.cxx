@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -55,7 +57,8 @@ std::vector<double> GetSpeeds(const std::string& source, vtkDataArray* vectors)
   {
     double vector[3];
     vectors->GetTuple(static_cast<vtkIdType>(i), vector);
-    speeds[i] = std::hypot(vector[0], vector[1], vector[2]);
+    // Not that of three arguments: libstdc++'s loses a nan between zeros.
+    speeds[i] = std::hypot(std::hypot(vector[0], vector[1]), vector[2]);
     if (!std::isfinite(speeds[i]))
     {
       throw Failure(source + ": the length of vector " + std::to_string(i) + " is " +
