@@ -221,7 +221,8 @@ def scene():
 def tubes():
     """A scene of streamtubes, each of its settings given."""
     settings = {"seeds": 8, "speed": 0.2, "length": 6, "radius": 0.4, "sides": 6}
-    return {"size": [48, 32], "actors": [{"file": "flow.vti", "color": "tomato", "opacity": 0.5, "streamtubes": settings}]}
+    actor = {"file": "flow.vti", "color": "tomato", "opacity": 0.5, "streamtubes": settings}
+    return {"size": [48, 32], "actors": [actor]}
 
 
 def write_good(folder):
@@ -231,6 +232,7 @@ def write_good(folder):
         "ok.mhd": mhd("ok.raw"), "ok.raw": labels(), "ok.ply": ply(), "ok.stl": stl(), "ok.obj": obj(),
         "ok.wrl": wrl(), "ok.glb": glb(), "scene.json": json.dumps(scene()),
         "flow.vti": flow(), "straight.vti": flow([(0, 0, 2)] * SIDE ** 3),
+        "slowing.vti": flow([(0, 0, SIDE - z) for z in range(SIDE) for _ in range(SIDE ** 2)]),
         "tubes.json": json.dumps(tubes()),
     }
     write(folder, contents)
