@@ -6,6 +6,7 @@
 #include "LabelVolume.h"
 #include "Progress.h"
 #include "Readers.h"
+#include "Streamtubes.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
@@ -49,7 +50,8 @@ void AddSurface(const Input& input, vtkPolyData* surface, double opacity, Scene&
   scene.Parts.push_back(part);
 }
 
-void AddVolume(const Input& input, vtkImageData* volume, Scene& scene)
+// Neither surfaces nor streamlines come out of a slice; VTK's tracer would follow vectors out of it.
+void CheckDimensions(const Input& input, vtkImageData* volume)
 {
   const int* dimensions = volume->GetDimensions();
   if (dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2)
@@ -58,6 +60,10 @@ void AddVolume(const Input& input, vtkImageData* volume, Scene& scene)
       std::to_string(dimensions[1]) + "x" + std::to_string(dimensions[2]) +
       " points, expected a volume of at least 2x2x2");
   }
+}
+
+void AddVolume(const Input& input, vtkImageData* volume, Scene& scene)
+{
   const bool labels = input.Volume == Input::Meaning::Labels ||
     (input.Volume == Input::Meaning::Automatic && input.Isovalues.empty() &&
       (!input.Labels.empty() || IsLabelVolume(volume)));
@@ -119,11 +125,20 @@ void AddInput(const Input& input, Scene& scene)
   Progress progress("reading");
   progress.Step(name);
   const FileContents contents = ReadFile(input.Source);
-  if (!contents.Actors.empty())
+  auto* volume = vtkImageData::SafeDownCast(contents.Data);
+  if (volume)
+  {
+    CheckDimensions(input, volume);
+  }
+  if (input.Tubes)
+  {
+    AddStreamtubes(input, contents.Data, scene);
+  }
+  else if (!contents.Actors.empty())
   {
     AddActors(input, contents.Actors, scene);
   }
-  else if (auto* volume = vtkImageData::SafeDownCast(contents.Data))
+  else if (volume)
   {
     AddVolume(input, volume, scene);
   }

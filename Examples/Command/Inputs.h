@@ -19,6 +19,16 @@ struct LabelStyle
   std::optional<double> Opacity;
 };
 
+/// Tubes round streamlines. What is not set is chosen by the size of the data. Lengths are in the file's units.
+struct Streamtubes
+{
+  int Seeds = 100;              ///< streamlines, where as many points are fast enough
+  double Speed = 0.1;           ///< of the largest: seeds are as fast or faster, lines end where it is slower
+  std::optional<double> Length; ///< a line's most each way from its seed
+  std::optional<double> Radius;
+  int Sides = 12;
+};
+
 /// One input and how it is to look. What is not set is chosen by what the input holds.
 struct Input
 {
@@ -37,6 +47,7 @@ struct Input
   int Levels = 4;                         ///< isosurfaces where no Isovalues are given
   int Smoothing = 12;                     ///< iterations on the surfaces of labels
   std::map<long long, LabelStyle> Labels; ///< if there are any, only these are shown
+  std::optional<Streamtubes> Tubes;       ///< shown in place of surfaces
 };
 
 /// Reads the input and appends its parts to the scene; throws Failure.

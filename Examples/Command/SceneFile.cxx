@@ -192,6 +192,7 @@ public:
       style.Tint = this->ReadColor(label, "color");
       Set(label, "opacity", style.Opacity, ToNumber);
     }
+    Set(json, "streamtubes", input.Tubes, ReadStreamtubes);
     return input;
   }
 
@@ -206,6 +207,17 @@ public:
 
 private:
   static double ToNumber(const Json& value) { return value.get<double>(); }
+
+  static Streamtubes ReadStreamtubes(const Json& json)
+  {
+    Streamtubes tubes;
+    tubes.Seeds = json.value("seeds", tubes.Seeds);
+    tubes.Speed = json.value("speed", tubes.Speed);
+    Set(json, "length", tubes.Length, ToNumber);
+    Set(json, "radius", tubes.Radius, ToNumber);
+    tubes.Sides = json.value("sides", tubes.Sides);
+    return tubes;
+  }
 
   template <typename Value>
   static void Set(const Json& json, const std::string& key, std::optional<Value>& value,

@@ -9,7 +9,9 @@ from checks import fails, png_size, read_page, run, succeeds, writes_picture
 from inputs import SUFFIXES
 
 SMALL = ["--size", "40x30"]
-FROG = str(pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Data" / "frog.json")
+DATA = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Data"
+FROG = str(DATA / "frog.json")
+CAROTID = str(DATA / "carotid.json")
 
 
 def render(*arguments):
@@ -100,6 +102,42 @@ def scene_from_elsewhere(command, folder):
     elsewhere = folder / "elsewhere"
     elsewhere.mkdir()
     succeeds(command, elsewhere, ["render", "--scene", "../scene.json", "-o", "scene.png"])
+
+
+def tubes_scene(folder, file="flow.vti", **settings):
+    """The scene of streamtubes, of another file and with other settings."""
+    scene = json.loads((folder / "tubes.json").read_text())
+    scene["actors"][0]["file"] = file
+    scene["actors"][0]["streamtubes"].update(settings)
+    (folder / "changed.json").write_text(json.dumps(scene))
+    return ["--scene", "changed.json"]
+
+
+def tubes_follow_settings(command, folder):
+    """The same scene is the same picture; each setting changes it."""
+    names = ["seeds", "speed", "length", "radius", "sides"]
+    pictures = []
+    for settings in [{}, {}, {"seeds": 4}, {"speed": 0.8}, {"length": 2}, {"radius": 0.8}, {"sides": 3}]:
+        succeeds(command, folder, ["render", *tubes_scene(folder, **settings), "-o", "tubes.png"])
+        pictures.append((folder / "tubes.png").read_bytes())
+    assert pictures[0] == pictures[1]
+    same = [name for name, picture in zip(names, pictures[2:]) if picture == pictures[0]]
+    assert not same, same
+
+
+def one_tube(file, speed, steps):
+    """A seed has one tube from end to end, with caps there and not at the seed: of n sides, 2 n triangles a step and n - 2
+    at each end."""
+
+    def case(command, folder):
+        sides = 6
+        arguments = tubes_scene(folder, file, seeds=1, speed=speed, length=3, sides=sides)
+        succeeds(command, folder, ["bench", *arguments, "--frames", "1", "--warmup", "0", "--techniques", "exact",
+                                   "-o", "times.json"])
+        triangles = json.loads((folder / "times.json").read_text())["triangles"]
+        assert triangles == 2 * sides * steps + 2 * (sides - 2), triangles
+
+    return case
 
 
 ROW_KEYS = {
@@ -211,6 +249,14 @@ CASES = {
     "RenderScene": scene_sets_size,
     "RenderSceneElsewhere": scene_from_elsewhere,
     "RenderFrog": writes_picture(["render", "--scene", FROG, "--size", "160x90"], "a.png", (160, 90)),
+    "RenderCarotid": writes_picture(["render", "--scene", CAROTID, "--size", "160x90"], "a.png", (160, 90)),
+    "RenderStreamtubes": writes_picture(["render", "--scene", "tubes.json"], "a.png", (48, 32)),
+    "StreamtubesSettings": tubes_follow_settings,
+    # Steps are a quarter of a voxel's diagonal, sqrt(3) / 4. Three voxels each way are seven of them, the last one shorter.
+    "StreamtubesWhole": one_tube("straight.vti", 0.2, steps=2 * 7),
+    # The seed lies on the side where the flow enters, at speed 12; after one step it is 11.57, after two 11.13: below 0.95 of
+    # the largest, and left out.
+    "StreamtubesEndWhereSlow": one_tube("slowing.vti", 0.95, steps=1),
     "RenderOpacity": options_change_picture(["ok.vtp"], ["ok.vtp", "--opacity", "0.9"]),
     "RenderColor": options_change_picture(["ok.vtp"], ["ok.vtp", "--color", "tomato"]),
     "RenderSamples": options_change_picture(["ok.vtp"], ["ok.vtp", "--samples", "4"]),
@@ -343,4 +389,35 @@ CASES.update({
     "BadSceneVolume": scene_fails(put("actors", 0, "volume", value="cloud"), r"at '/actors/0/volume': is \"cloud\", expected"),
     "BadSceneLabel": scene_fails(put("actors", 1, "labels", 0, "value", value=7), r"ok\.mhd: has no label 7, expected"),
     "BadSceneFileMissing": scene_fails(put("actors", 0, "file", value="gone.vtp"), r"gone\.vtp: there is no such file"),
+})
+
+
+def tubes_fail(expected, file="flow.vti", **settings):
+    def case(command, folder):
+        arguments = tubes_scene(folder, file, **settings)
+        fails(["render", *arguments, "-o", "out.png"], expected)(command, folder)
+
+    return case
+
+
+CASES.update({
+    "BadStreamtubesKey": tubes_fail(r"at '/actors/0/streamtubes': unknown key 'count', expected an object with seeds, speed", count=3),
+    "BadStreamtubesSeeds": tubes_fail(r"at '/actors/0/streamtubes/seeds': is 0, expected an integer from 1", seeds=0),
+    "BadStreamtubesSeedsFraction": tubes_fail(r"streamtubes/seeds': is 2\.5, expected an integer from 1", seeds=2.5),
+    "BadStreamtubesSeedsMany": tubes_fail(r"streamtubes/seeds': is 10001, expected an integer from 1 to 10000", seeds=10001),
+    "BadStreamtubesSpeed": tubes_fail(r"streamtubes/speed': is 1, expected a number from 0 to below 1", speed=1),
+    "BadStreamtubesSpeedNegative": tubes_fail(r"streamtubes/speed': is -0\.1, expected a number from 0", speed=-0.1),
+    "BadStreamtubesLength": tubes_fail(r"streamtubes/length': is 0, expected a number above 0", length=0),
+    "BadStreamtubesRadius": tubes_fail(r"streamtubes/radius': is 0, expected a number above 0", radius=0),
+    "BadStreamtubesRadiusText": tubes_fail(r"streamtubes/radius': is \"thin\", expected a number above 0", radius="thin"),
+    "BadStreamtubesRadiusHuge": tubes_fail(r"flow\.vti, streamtubes: coordinate [xyz] of point \d+ is -?(inf|nan), expected", radius=1e300),
+    "BadStreamtubesSides": tubes_fail(r"streamtubes/sides': is 2, expected an integer from 3 to 64", sides=2),
+    "BadStreamtubesSidesMany": tubes_fail(r"streamtubes/sides': is 65, expected an integer from 3 to 64", sides=65),
+    "BadStreamtubesScalars": tubes_fail(r"ok\.vti: has no vectors for streamtubes, expected a point array of three", "ok.vti"),
+    "BadStreamtubesMaterials": tubes_fail(r"ok\.wrl: has no vectors for streamtubes, expected", "ok.wrl"),
+    "BadStreamtubesStill": tubes_fail(r"still\.vti: has no streamline, expected vectors other than 0", "still.vti"),
+    "BadStreamtubesSlice": tubes_fail(r"slice\.vti: is 12x12x1 points, expected a volume of at least 2x2x2", "slice.vti"),
+    "BadStreamtubesLeaving": tubes_fail(r"leaving\.vti: has no streamline, expected vectors that stay inside the data", "leaving.vti"),
+    "BadStreamtubesNan": tubes_fail(r"nan\.vti: the length of vector 1 is nan, expected a finite number", "nan.vti"),
+    "BadStreamtubesInfinite": tubes_fail(r"huge\.vti: the length of vector 0 is inf, expected a finite number", "huge.vti"),
 })

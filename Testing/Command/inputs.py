@@ -1,5 +1,6 @@
 """Small inputs of every kind that the command reads, and broken ones, written by hand: no library is trusted here."""
 
+import base64
 import json
 import math
 import struct
@@ -94,6 +95,29 @@ def vti(values=None):
 <ImageData WholeExtent="0 {last} 0 {last} 0 {last}" Origin="0 0 0" Spacing="1 1 1">
 <Piece Extent="0 {last} 0 {last} 0 {last}"><PointData Scalars="distance">
 <DataArray type="Float32" Name="distance" format="ascii">{words([values or distances()])}</DataArray>
+</PointData></Piece></ImageData></VTKFile>
+"""
+
+
+def turning():
+    """A vector at each point of the volume: a flow round the axis z, faster farther out."""
+    middle = (SIDE - 1) / 2
+    places = range(SIDE)
+    return [(middle - y, x - middle, 0) for _ in places for y in places for x in places]
+
+
+def flow(vectors=None, layers=SIDE):
+    """A volume, or with one layer a slice, that has vectors and nothing else: binary, since text has no nan for VTK."""
+    last = SIDE - 1
+    extent = f"0 {last} 0 {last} 0 {layers - 1}"
+    rows = (vectors or turning())[:SIDE * SIDE * layers]
+    values = struct.pack(f"<{3 * len(rows)}d", *(value for row in rows for value in row))
+    content = base64.b64encode(struct.pack("<I", len(values)) + values).decode()
+    return f"""<?xml version="1.0"?>
+<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian" header_type="UInt32">
+<ImageData WholeExtent="{extent}" Origin="0 0 0" Spacing="1 1 1">
+<Piece Extent="{extent}"><PointData>
+<DataArray type="Float64" Name="velocity" NumberOfComponents="3" format="binary">{content}</DataArray>
 </PointData></Piece></ImageData></VTKFile>
 """
 
@@ -194,12 +218,22 @@ def scene():
     }
 
 
+def tubes():
+    """A scene of streamtubes, each of its settings given."""
+    settings = {"seeds": 8, "speed": 0.2, "length": 6, "radius": 0.4, "sides": 6}
+    actor = {"file": "flow.vti", "color": "tomato", "opacity": 0.5, "streamtubes": settings}
+    return {"size": [48, 32], "actors": [actor]}
+
+
 def write_good(folder):
     """One valid file of each kind: ok.vtp, ok.vtu, ..."""
     contents = {
         "ok.vtp": vtp(), "ok.vtu": vtu(), "ok.vtk": vtk(), "grid.vtk": structured_grid(), "ok.vti": vti(),
         "ok.mhd": mhd("ok.raw"), "ok.raw": labels(), "ok.ply": ply(), "ok.stl": stl(), "ok.obj": obj(),
         "ok.wrl": wrl(), "ok.glb": glb(), "scene.json": json.dumps(scene()),
+        "flow.vti": flow(), "straight.vti": flow([(0, 0, 2)] * SIDE ** 3),
+        "slowing.vti": flow([(0, 0, SIDE - z) for z in range(SIDE) for _ in range(SIDE ** 2)]),
+        "tubes.json": json.dumps(tubes()),
     }
     write(folder, contents)
     return contents
@@ -236,6 +270,11 @@ def write_broken(folder):
         "inf.ply": ply([("inf", 0, 0), *POINTS[1:]]),
         "nan.glb": glb([*POINTS[:5], (0, 0, math.nan)]),
         "constant.vti": vti([1] * SIDE ** 3),
+        "still.vti": flow([(0, 0, 0)] * SIDE ** 3),
+        "slice.vti": flow(layers=1),
+        "leaving.vti": flow([(1, -1, 0)] + [(0, 0, 0)] * (SIDE ** 3 - 1)),
+        "nan.vti": flow([(1, 0, 0), (0, math.nan, 0)] * (SIDE ** 3 // 2)),
+        "huge.vti": flow([(1e308, 1e308, -1.6e308)] * SIDE ** 3),
     })
     (folder / "folder.vtp").mkdir()
     (folder / "folder.png").mkdir()
