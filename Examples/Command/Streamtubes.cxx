@@ -91,8 +91,8 @@ vtkSmartPointer<vtkPolyData> ChooseSeeds(
   return seeds;
 }
 
-// The tracer makes a line for each way from a seed. Two tubes of them would have caps inside, where they meet: here they
-// become one line. What has no length is left out, since no tube can be laid round it.
+// The tracer makes a line for each way from a seed. Two tubes of them would have caps inside, where they meet: here
+// they become one line. What has no length is left out, since no tube can be laid round it.
 vtkSmartPointer<vtkPolyData> JoinAtSeeds(vtkPolyData* traced, vtkIdType seeds)
 {
   std::vector<std::vector<vtkIdType>> lines(seeds);

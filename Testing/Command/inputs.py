@@ -1,6 +1,5 @@
 """Small inputs of every kind that the command reads, and broken ones, written by hand: no library is trusted here."""
 
-import base64
 import json
 import math
 import struct
@@ -107,17 +106,15 @@ def turning():
 
 
 def flow(vectors=None, layers=SIDE):
-    """A volume, or with one layer a slice, that has vectors and nothing else: binary, since text has no nan for VTK."""
+    """A volume, or with one layer a slice, that has vectors and nothing else."""
     last = SIDE - 1
     extent = f"0 {last} 0 {last} 0 {layers - 1}"
     rows = (vectors or turning())[:SIDE * SIDE * layers]
-    values = struct.pack(f"<{3 * len(rows)}d", *(value for row in rows for value in row))
-    content = base64.b64encode(struct.pack("<I", len(values)) + values).decode()
     return f"""<?xml version="1.0"?>
-<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian" header_type="UInt32">
+<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
 <ImageData WholeExtent="{extent}" Origin="0 0 0" Spacing="1 1 1">
 <Piece Extent="{extent}"><PointData>
-<DataArray type="Float64" Name="velocity" NumberOfComponents="3" format="binary">{content}</DataArray>
+<DataArray type="Float64" Name="velocity" NumberOfComponents="3" format="ascii">{words(rows)}</DataArray>
 </PointData></Piece></ImageData></VTKFile>
 """
 
