@@ -168,11 +168,20 @@ vtkTechniqueChooser::Refusal vtkTechniqueChooser::GetExcess(std::string& what) c
 }
 
 //------------------------------------------------------------------------------
-// Of several the last, which does not depend on fragments that are only guessed.
+// Of several the best, or, while fragments are only guessed, the last one, whose memory does not depend on them.
 int vtkTechniqueChooser::FindSmallest() const
 {
-  return *std::min_element(this->Order.rbegin(), this->Order.rend(),
-    [this](int a, int b) { return this->GetBytes(a, this->Seen) < this->GetBytes(b, this->Seen); });
+  int smallest = this->Order.front();
+  for (int candidate : this->Order)
+  {
+    const double bytes = this->GetBytes(candidate, this->Seen);
+    const double least = this->GetBytes(smallest, this->Seen);
+    if (bytes < least || (bytes == least && this->Fragments < 0))
+    {
+      smallest = candidate;
+    }
+  }
+  return smallest;
 }
 
 //------------------------------------------------------------------------------
