@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 namespace
@@ -247,6 +246,29 @@ TEST(TestTechniqueChooser, TakesTheFastestWithinTheTolerance)
     chooser.SetBudget({ 0, 0, one.Tolerance });
     EXPECT_EQ(World().Choices(chooser, 10), Choices{ one.Expected }) << one.Tolerance;
   }
+}
+
+//------------------------------------------------------------------------------
+// The one that is drawn always looks slower than what the others took when they were drawn last.
+TEST(TestTechniqueChooser, ComesToRestEvenIfFramesTakeLongerAndLonger)
+{
+  Chooser chooser(Some);
+  chooser.SetBudget({ 1, 0, 0 });
+  World world;
+  world.Milliseconds = { 10, 10, 10, 10 };
+  double slower = 1;
+  const auto draw = [&](int frames)
+  {
+    std::set<int> choices;
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      slower *= 1.2;
+      choices.insert(world.Draw(chooser, false, slower));
+    }
+    return choices.size();
+  };
+  EXPECT_GT(draw(100), 1u);
+  EXPECT_EQ(draw(100), 1u);
 }
 
 //------------------------------------------------------------------------------
