@@ -260,12 +260,22 @@ void vtkTechniqueChooser::StepDown(const std::string& excess)
     this->Settled = true;
     return;
   }
-  const bool leave = this->Refused[this->Chosen] == Refusal::Memory ||
-    this->GetMilliseconds(fastest) < Margin * this->GetMilliseconds(this->Chosen);
-  const int next = leave ? fastest : this->Chosen;
+  // Quality is not given up for hardly any time; and it takes less to stay than to return.
+  later = false;
+  int next = fastest;
+  for (int candidate : this->Order)
+  {
+    later = later || candidate == this->Chosen;
+    const double slower = later ? 1 / Margin : (1 + 1 / Margin) / 2;
+    if (this->FitsMemory(candidate, 1) && this->GetMilliseconds(candidate) <= slower * this->GetMilliseconds(fastest))
+    {
+      next = candidate;
+      break;
+    }
+  }
   this->Settled = this->Refused[next] != Refusal::None;
-  this->Reason = excess + "; no technique is expected to fit, none is clearly faster than this: " + this->Expect(next);
-  if (leave)
+  this->Reason = excess + "; no technique is expected to fit, the best of the fast ones: " + this->Expect(next);
+  if (next != this->Chosen)
   {
     this->Take(next);
   }

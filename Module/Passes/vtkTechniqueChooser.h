@@ -5,15 +5,15 @@
  * Candidates have an order: those within the tolerance, the fastest first; then the others, the best first. The first frame takes the first one
  * that is expected to fit. From then on, before each frame:
  * - Down: if the chosen one took more memory than the budget, or tiles to stay within it, or if the median of its last MedianFrames times is over
- *   budget, it is refused. The first other one that is expected to fit takes its place; if none is, the fastest that fits into memory, if
- *   that is clearly faster; if nothing fits into memory, the smallest.
+ *   budget, it is refused. The first other one that is expected to fit takes its place; if none is, the first of those that fit
+ *   into memory and are hardly slower than the fastest; if nothing fits into memory, the smallest.
  * - Up: an earlier one that was not refused is taken if it is expected to stay below Margin times the budgets.
  * Refusals last until the scene or the view changes. Of the times that were measured, the latest of each candidate are kept, and expected in
  * proportion to the fragments: what was too slow in the frame before is not tried again only because the camera moves.
  *
  * On a still scene the choices become constant: a step up goes to a candidate that was not refused, and each step down refuses one. Between two
  * refusals there are at most as many steps up as candidates, and of refusals there are no more than candidates. A step to one that was refused
- * already, the fastest or the smallest, is the last.
+ * already, where nothing fits, is the last.
  */
 #ifndef vtkTechniqueChooser_h
 #define vtkTechniqueChooser_h

@@ -194,6 +194,10 @@ TEST(TestTechniqueChooser, StaysWithTheFastestIfNoneFits)
   Chooser other(Some);
   other.SetBudget({ 1, 0, 0 });
   EXPECT_EQ(world.Choices(other, 100), (Choices{ Lists, Sums, Lists }));
+  world.Milliseconds = { 10, 20, 15, 9 }; // hardly anything is saved
+  Chooser third(Some);
+  third.SetBudget({ 1, 0, 0 });
+  EXPECT_EQ(world.Choices(third, 100), (Choices{ Lists, Sums, Lists }));
 }
 
 //------------------------------------------------------------------------------
