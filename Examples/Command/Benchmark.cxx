@@ -47,6 +47,10 @@ std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& te
   const std::vector<int>& numbers, const BenchmarkSettings& settings)
 {
   std::vector<Timing> timings(numbers.size());
+  for (int number : numbers)
+  {
+    stage.Settle(number);
+  }
   const int rounds = settings.Warmup + settings.Frames;
   Progress progress("frames", (rounds + 1) * static_cast<int>(numbers.size()));
   for (int round = 0; round < rounds; ++round)

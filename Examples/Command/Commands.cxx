@@ -216,6 +216,7 @@ std::map<std::string, std::string> DrawPictures(const std::vector<int>& numbers,
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     ReportRow& row = report.Rows[i];
+    stage.Settle(numbers[i]);
     stage.Draw(numbers[i]);
     const Picture picture = stage.Read();
     row.PictureFile = FileNameOf(row.Technique) + ".png";

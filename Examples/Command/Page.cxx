@@ -51,6 +51,11 @@ void SetTimes(const ReportRow& row, double slowest, data& entry)
   entry.set("fragments", statistics.Known ? Grouped(statistics.Fragments) : "-");
   entry.set("deepest", statistics.Known ? Grouped(statistics.DeepestPixel) : "-");
   entry.set("mebibytes", statistics.Known ? Fixed(statistics.Mebibytes, 1) : "-");
+  if (!statistics.Chosen.empty())
+  {
+    entry.set("chosen", statistics.Chosen);
+    entry.set("reason", statistics.Reason);
+  }
   if (!statistics.Fallback.empty())
   {
     entry.set("fallback", statistics.Fallback);

@@ -92,6 +92,8 @@ void AddCounts(const FrameStatistics& statistics, Json& row)
   row["geometry_passes"] = known ? Json(statistics.GeometryPasses) : Json();
   row["screen_passes"] = known ? Json(statistics.ScreenPasses) : Json();
   row["shader_builds"] = known ? Json(statistics.ShaderBuilds) : Json();
+  row["chosen"] = statistics.Chosen.empty() ? Json() : Json(statistics.Chosen);
+  row["reason"] = statistics.Reason.empty() ? Json() : Json(statistics.Reason);
   row["fallback"] = statistics.Fallback.empty() ? Json() : Json(statistics.Fallback);
 }
 
@@ -193,6 +195,14 @@ std::string ToText(const Report& report)
   for (const ReportRow& row : report.Rows)
   {
     writeLine([&row](const Column& column) { return column.Cell(row); });
+  }
+  for (const ReportRow& row : report.Rows)
+  {
+    const FrameStatistics& statistics = row.Times.Statistics;
+    if (!statistics.Chosen.empty())
+    {
+      out << "\n" << row.Technique.Label << " has drawn by " << statistics.Chosen << ": " << statistics.Reason << "\n";
+    }
   }
   return out.str();
 }

@@ -6,6 +6,7 @@
 #include "Scene.h"
 
 #include "vtkActor.h"
+#include "vtkAutomaticTransparencyPass.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -153,6 +154,21 @@ double Stage::Draw(int technique)
 }
 
 //------------------------------------------------------------------------------
+void Stage::Settle(int technique)
+{
+  constexpr int enough = 10; // frames of one choice, more than it takes to tell that another one is needed
+  constexpr int most = 200;
+  auto* automatic = vtkAutomaticTransparencyPass::SafeDownCast(this->Players[technique].Pass);
+  std::string chosen;
+  for (int frame = 0, same = 0; automatic && same < enough && frame < most; ++frame)
+  {
+    this->Draw(technique);
+    same = automatic->GetChosen() == chosen ? same + 1 : 0;
+    chosen = automatic->GetChosen();
+  }
+}
+
+//------------------------------------------------------------------------------
 void Stage::CheckFrame(const Player& player)
 {
   const std::string context = "technique '" + player.Technique.Label + "'";
@@ -183,6 +199,11 @@ FrameStatistics Stage::GetStatistics(int technique)
     statistics.GeometryPasses = from->GetGeometryPasses();
     statistics.ScreenPasses = from->GetScreenPasses();
     statistics.ShaderBuilds = from->GetShaderBuilds();
+  }
+  if (auto* automatic = vtkAutomaticTransparencyPass::SafeDownCast(pass))
+  {
+    statistics.Chosen = automatic->GetChosen();
+    statistics.Reason = automatic->GetReason();
   }
   return statistics;
 }

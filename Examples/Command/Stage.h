@@ -34,6 +34,8 @@ struct FrameStatistics
   int GeometryPasses = 0;
   int ScreenPasses = 0;
   int ShaderBuilds = 0;
+  std::string Chosen;   ///< by a technique that chooses among others, which one, as Techniques.h writes it,
+  std::string Reason;   ///< and why; empty for all others
   std::string Fallback; ///< what was drawn instead, if the driver could not run the technique
 };
 
@@ -58,6 +60,9 @@ public:
 
   /// Draws a frame and waits for its end; milliseconds. Throws Failure if VTK reported an error.
   double Draw(int technique);
+
+  /// Draws frames until a technique that chooses among others has come to rest; for all others, none.
+  void Settle(int technique);
 
   /// What the technique's last frame drew.
   FrameStatistics GetStatistics(int technique);

@@ -147,6 +147,12 @@ protected:
   virtual bool RenderStages(vtkTranslucencyFrame& frame) = 0;
 
   /**
+   * Draws the translucent props, and volumes by a pass that may be null: a frame of the technique, or its fallback. For a pass that has
+   * others draw in its place.
+   */
+  virtual void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass);
+
+  /**
    * Whether volumes can be divided at the technique's fragments; if not they are drawn over the surfaces, after a warning.
    */
   virtual bool DividesVolumes() const { return false; }
@@ -182,7 +188,6 @@ private:
   const char* GetSelectedCriticalSection(const vtkTranslucencyCapabilities& capabilities) const;
 
   void RenderAlone(const vtkRenderState* state);
-  void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass);
   void RenderGathered(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
   // Says why, once: a warning if the driver lacks something, an error if something went wrong.
   void RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);

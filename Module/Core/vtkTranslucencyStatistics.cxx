@@ -35,3 +35,19 @@ void vtkTranslucencyStatistics::Reset()
   this->Fallback.clear();
   this->Modified();
 }
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyStatistics::Copy(vtkTranslucencyStatistics* others)
+{
+  this->Fragments = others->Fragments;
+  this->DeepestPixel = others->DeepestPixel;
+  this->Bytes = others->Bytes;
+  this->Tiles = others->Tiles;
+  this->GeometryPasses = others->GeometryPasses;
+  this->ScreenPasses = others->ScreenPasses;
+  this->ShaderBuilds = others->ShaderBuilds;
+  this->GatherTime = others->GatherTime;
+  this->ResolveTime = others->ResolveTime;
+  this->Fallback = others->Fallback;
+  this->Modified();
+}

@@ -60,6 +60,9 @@ public:
   /// Everything back to what it is before the first frame.
   void Reset();
 
+  /// Everything as in others.
+  void Copy(vtkTranslucencyStatistics* others);
+
 protected:
   vtkTranslucencyStatistics() = default;
   ~vtkTranslucencyStatistics() override = default;

@@ -6,6 +6,7 @@
 #include "vtkKBufferPass.h"
 #include "vtkAdditiveTransparencyPass.h"
 #include "vtkDepthPeelPass.h"
+#include "vtkAutomaticTransparencyPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
 #include "vtkScreenDoorPass.h"
 #include "vtkSortedTransparencyPass.h"
@@ -80,6 +81,8 @@ const Technique Techniques[] = {
     NewPass<vtkSortedTransparencyPass> },
   { "screendoor", "opaque surfaces with holes: no blending, order does not matter", NewPass<vtkScreenDoorPass> },
   { "additive", "surfaces that shine and hide nothing", NewPass<vtkAdditiveTransparencyPass> },
+  { "auto", "the best of the others that stays within a budget of time and of memory",
+    NewPass<vtkAutomaticTransparencyPass> },
   { "blend", "VTK's plain blending, in drawing order: wrong where surfaces overlap out of order",
     NewPass<vtkTranslucentPass> },
   { "vtk-oit", "VTK's order-independent pass: a weighted average, fast and approximate",

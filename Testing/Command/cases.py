@@ -143,7 +143,7 @@ def one_tube(file, speed, steps):
 ROW_KEYS = {
     "technique", "name", "options", "help", "milliseconds", "ratio_to_blend", "gather_milliseconds",
     "resolve_milliseconds", "fragments", "deepest_pixel", "mebibytes", "tiles", "geometry_passes", "screen_passes",
-    "shader_builds", "fallback"}
+    "shader_builds", "chosen", "reason", "fallback"}
 DIFFERENCE_KEYS = {"rmse", "psnr", "largest_difference", "picture", "difference_picture"}
 REPORT_KEYS = {"kind", "title", "inputs", "size", "samples", "driver", "actors", "triangles", "frames", "warmup", "techniques"}
 
@@ -190,6 +190,16 @@ def compare_identical(command, folder):
     report = json.loads((folder / "out" / "comparison.json").read_text())
     row = {row["technique"]: row for row in report["techniques"]}["adaptive:nodes=64"]
     assert row["rmse"] == 0 and row["psnr"] is None and row["largest_difference"] == 0, row
+
+
+def compare_tells_what_auto_chose(command, folder):
+    succeeds(command, folder, compare("--techniques", "exact,auto:budget_mebibytes=1", "-o", "out"))
+    report = json.loads((folder / "out" / "comparison.json").read_text())
+    rows = {row["name"]: row for row in report["techniques"]}
+    assert rows["exact"]["chosen"] is None and rows["auto"]["chosen"] == "exact", rows["auto"]
+    assert "memory budget of 1 MiB" in rows["auto"]["reason"], rows["auto"]["reason"]
+    for name in ("table.txt", "index.html"):
+        assert rows["auto"]["reason"] in (folder / "out" / name).read_text(), name
 
 
 def bench_writes_json(command, folder):
@@ -272,6 +282,7 @@ CASES = {
     "Compare": compare_writes_all,
     "CompareKeepsOtherFiles": compare_keeps_other_files,
     "CompareIdentical": compare_identical,
+    "CompareTellsWhatAutoChose": compare_tells_what_auto_chose,
     "Bench": bench_writes_json,
     "BenchPrintsOnly": bench_prints_only,
     "WithoutDisplay": without_display,

@@ -3,6 +3,7 @@
 #include "RenderTest.h"
 
 #include <vtkActor.h>
+#include <vtkAutomaticTransparencyPass.h>
 #include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
@@ -26,6 +27,7 @@ Objects CountObjects(View& view)
     objects["buffers"] += glIsBuffer(name);
     objects["framebuffers"] += glIsFramebuffer(name);
     objects["renderbuffers"] += glIsRenderbuffer(name);
+    objects["queries"] += glIsQuery(name);
     objects["textures"] += glIsTexture(name);
     objects["vertex arrays"] += glIsVertexArray(name);
   }
@@ -154,6 +156,37 @@ TEST_P(TestLifetime, WindowIsClosedAndReopened)
   EXPECT_LE(CountObjects(view).at("buffers"), open.at("buffers"));
   EXPECT_LE(CountObjects(view).at("textures"), open.at("textures"));
   EXPECT_TRUE(TakeGLErrors().empty());
+}
+
+//------------------------------------------------------------------------------
+class TestLifetimeOfChosen : public TestLifetime
+{
+};
+
+// What a pass has left for another technique has left nothing behind.
+TEST_F(TestLifetimeOfChosen, EndsWithTheChoice)
+{
+  for (int samples : { 0, 4 })
+  {
+    Watched watched(samples);
+    View& view = watched.Shown;
+    auto pass = vtkSmartPointer<vtkAutomaticTransparencyPass>::New();
+    pass->SetBudgetMebibytes(3);
+    view.SetPass(pass);
+    view.Render();
+    const std::string first = pass->GetChosen();
+    view.Render();
+    EXPECT_NE(pass->GetChosen(), first);
+    EXPECT_GT(CountObjects(view).at("queries"), watched.Before.at("queries"));
+    pass->ReleaseGraphicsResources(view.Window);
+    watched.ExpectNoneLeft("after ReleaseGraphicsResources");
+    view.Render();
+    view.SetPass(nullptr);
+    view.Render();
+    EXPECT_EQ(pass->GetReferenceCount(), 1);
+    pass = nullptr;
+    watched.ExpectNoneLeft("after its end");
+  }
 }
 
 namespace
