@@ -901,7 +901,7 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
   const ScopedInputs bound(this->Window, stage.Inputs);
   SetUniforms(program, stage.Values);
   SetUniforms(program, bound.GetUnits());
-  this->PrepareBlending();
+  this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
   this->PrepareColors(stage);
   this->DrawVertices(GL_TRIANGLES, 3);
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
@@ -930,34 +930,17 @@ std::vector<float> vtkTranslucencyFrame::Read(const vtkTranslucencyTargets& targ
 bool vtkTranslucencyFrame::Composite(const std::string& file, const Defines& defines,
   const std::vector<Input>& inputs, const Uniforms& uniforms)
 {
-  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, defines);
-  if (!program)
+  Stage over;
+  over.Blend = Blending::Over;
+  over.Inputs = inputs;
+  over.Values = uniforms;
+  if (!this->DrawScreen(file, defines, over))
   {
     return false;
   }
-  ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
-  this->UseTile();
-  const ScopedInputs bound(this->Window, inputs);
-  SetUniforms(program, uniforms);
-  SetUniforms(program, bound.GetUnits());
-  this->PrepareBlending();
-  this->DrawVertices(GL_TRIANGLES, 3);
-  kept.Plan.insert(kept.Plan.begin(), this->Tile); // this tile is done: the next frame begins with the same ones
-  kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  std::vector<Rectangle>& plan = this->Pass->Internal->Plan;
+  plan.insert(plan.begin(), this->Tile); // this tile is done: the next frame begins with the same ones
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyFrame::PrepareBlending()
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 //------------------------------------------------------------------------------
@@ -1037,7 +1020,10 @@ bool vtkTranslucencyFrame::Resolve(
   const vtkOpenGLState::ScopedglViewport viewport(state);
   state->vtkglViewport(this->Tile[0], this->Tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
   glEnable(GL_PROGRAM_POINT_SIZE);
-  this->PrepareBlending();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  Stage over;
+  over.Blend = Blending::Over;
+  this->PrepareColors(over);
   this->DrawVertices(GL_POINTS, across * down);
   kept.Resolved.reset();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -227,7 +227,6 @@ private:
   void DrawVertices(unsigned int primitive, int count);
   void DrawGeometry(const Stage& stage, bool colors, bool* any = nullptr);
   void PrepareColors(const Stage& stage);
-  void PrepareBlending();
   std::map<std::string, std::string> GetSelection() const;
   bool DrawVolumes();
   bool PrepareGather();
