@@ -1047,8 +1047,8 @@ bool vtkTranslucencyFrame::SortLists(const Squares& squares)
 std::vector<vtkTypeUInt64> vtkTranslucencyFrame::GetFingerprint() const
 {
   // Gives new props room for a pass's key, which modifies them once.
-  this->Pass->PreRender(this->State);
-  this->Pass->PostRender(this->State);
+  this->Pass->Internal->Hook->PreRender(this->State);
+  this->Pass->Internal->Hook->PostRender(this->State);
   vtkTranslucencyFingerprint fingerprint;
   for (int number : this->Drawn)
   {
