@@ -53,6 +53,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
     "GL_ARB_sample_shading", "GL_ARB_clear_buffer_object" });
   result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
   result.MissingForBuffers = missing({ "GL_ARB_draw_buffers_blend", "GL_ARB_explicit_attrib_location" });
+  result.MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
   for (const char* name : { "GL_INTEL_fragment_shader_ordering", "GL_NV_fragment_shader_interlock",
          "GL_ARB_fragment_shader_interlock" })
   {

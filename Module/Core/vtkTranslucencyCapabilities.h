@@ -23,6 +23,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// What it needs to draw to several buffers at once, each with a blending of its own, in the same way.
   std::string MissingForBuffers;
 
+  /// What blending with a transmittance of red, green and blue each needs, in the same way.
+  std::string MissingForTransmission;
+
   /// The extension by which a fragment shader can have a pixel to itself, in the order of drawing; empty if the driver has none.
   std::string Interlock;
 

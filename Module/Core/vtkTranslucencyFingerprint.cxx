@@ -1,5 +1,6 @@
 #include "vtkTranslucencyFingerprint.h"
 
+#include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkActor.h"
@@ -131,6 +132,12 @@ void vtkTranslucencyFingerprint::AddPath(vtkAssemblyPath* path)
     this->AddMatrix(last->GetMatrix());
   }
   this->Add(prop->GetVisibility());
+  double transmission[3];
+  vtkTranslucencyPass::GetTransmissionColor(prop, transmission);
+  for (double channel : transmission)
+  {
+    this->Add(channel);
+  }
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
     this->AddActor(actor);

@@ -144,6 +144,8 @@ BlendFunction GetFunction(vtkTranslucencyFrame::Blending blending)
       return { GL_MAX, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
     case Blending::Over:
       return { GL_FUNC_ADD, { { GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Filter:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } } };
     case Blending::Under:
       return { GL_FUNC_ADD, { { GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
     case Blending::Replace:
@@ -195,13 +197,17 @@ vtkTypeInt64 GetStatisticsBytes(const Rectangle& tile)
 }
 
 // What goes into a mapper's shader where it has shaded a fragment; GATHERED_DEPTH stands for its depth.
-std::string GatherCall(int outputs, bool critical)
+std::string GatherCall(int outputs, bool critical, bool mean)
 {
   std::string call = "gatherFragment(gl_FragData[0], GATHERED_DEPTH);\n";
   if (outputs > 0)
   {
     call = "vec4 gatherOutputs[" + std::to_string(outputs) +
       "];\ngatherFragment(gl_FragData[0], GATHERED_DEPTH, gatherOutputs);\n";
+  }
+  if (mean)
+  {
+    call = "gl_FragData[0] = meanTransmission(gl_FragData[0]);\n" + call;
   }
   if (critical)
   {
@@ -310,6 +316,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
     vtkWarningWithObjectMacro(pass, << "multi-sampled translucency needs " << missing
                                     << "; drawing it with one sample a pixel");
   }
+  this->ChooseTransmission();
   kept.GatherTime = -1;
   kept.ResolveTime = -1;
 
@@ -317,6 +324,32 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   kept.StatisticsBlock.Reserve(GetStatisticsBytes(this->Drawn));
   kept.StatisticsBlock.Clear(StatisticsBytes);
   kept.Resolved.reset();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::ChooseTransmission()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  std::string invalid;
+  const int props = vtkTranslucencyPass::Internals::CountTransmitting(this->State, invalid);
+  if (props > 0)
+  {
+    const bool keeps = this->Pass->KeepsTransmissionColors();
+    const std::string& lacking = kept.Capabilities.MissingForTransmission;
+    this->Transmission = keeps && lacking.empty() ? Transmissions::Colored : Transmissions::Mean;
+    const std::string why = keeps ? "the driver lacks " + lacking : "with these options it keeps one transmittance, not three";
+    if (this->Transmission == Transmissions::Mean && kept.MeanTransmission != why)
+    {
+      kept.MeanTransmission = why;
+      vtkWarningWithObjectMacro(this->Pass, << "the transmission colours of " << props << " props are taken by their mean: " << why);
+    }
+  }
+  if (!invalid.empty() && kept.InvalidTransmission != invalid)
+  {
+    vtkErrorWithObjectMacro(this->Pass,
+      << "TRANSMISSION_COLOR of a " << invalid << " is not three numbers from 0 to 1; they are taken as the nearest ones that are");
+  }
+  kept.InvalidTransmission = invalid;
 }
 
 //------------------------------------------------------------------------------
@@ -411,6 +444,7 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() con
   {
     offered = this->Storage->GetDefines();
   }
+  offered["TRANSMITTANCE_CHANNELS"] = std::to_string(this->GetChannels());
   offered["SAMPLES"] = std::to_string(this->Samples);
   offered["TARGET_SAMPLES"] = std::to_string(this->TargetSamples);
   offered["FRAGMENT_ORDER"] = this->Pass->Internal->Capabilities.KeepsDrawOrder
@@ -432,6 +466,18 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetSelection() const
 }
 
 //------------------------------------------------------------------------------
+// What a mapper's shader needs to take transmission colours by their mean; empty where it does not.
+std::string vtkTranslucencyFrame::GetMeanText() const
+{
+  vtkTranslucencyShader shader;
+  if (this->Transmission == Transmissions::Mean)
+  {
+    shader.Assemble("Common/MeanTransmission.glsl", {});
+  }
+  return shader.GetText();
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::PrepareGather()
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
@@ -440,7 +486,8 @@ bool vtkTranslucencyFrame::PrepareGather()
   {
     return this->Fail(obstacle);
   }
-  const std::string key = Key(this->Storage->GetShaderName(), {}, this->GetOfferedDefines());
+  const std::string mean = this->GetMeanText();
+  const std::string key = Key(this->Storage->GetShaderName(), {}, this->GetOfferedDefines()) + mean;
   if (key == kept.GatherKey)
   {
     return true;
@@ -458,8 +505,8 @@ bool vtkTranslucencyFrame::PrepareGather()
     return this->Fail(volumes.GetError());
   }
   kept.GatherKey = key;
-  kept.GatherText = shader.GetText();
-  kept.GatherCall = GatherCall(0, false);
+  kept.GatherText = shader.GetText() + mean;
+  kept.GatherCall = GatherCall(0, false, !mean.empty());
   kept.GatherStores = true;
   kept.GatherRejects = false;
   kept.Volumes.SetGatherText(volumes.GetText());
@@ -471,13 +518,14 @@ bool vtkTranslucencyFrame::PrepareGather()
 bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  const std::string mean = this->GetMeanText();
   const std::string key =
-    Key(gathering.File, gathering.Values, this->GetOfferedDefines()) + Key("", this->GetSelection(), {});
+    Key(gathering.File, gathering.Values, this->GetOfferedDefines()) + Key("", this->GetSelection(), {}) + mean;
   if (key == kept.GatherKey)
   {
     return true;
   }
-  const std::string call = GatherCall(gathering.Outputs, gathering.Critical);
+  const std::string call = GatherCall(gathering.Outputs, gathering.Critical, !mean.empty());
   // Alone, the text has no declarations of what VTK's shaders write.
   std::string main = std::regex_replace(call, std::regex("gl_FragData\\[(\\d+)\\]"), "fragOutput$1");
   main = std::regex_replace(main, std::regex("GATHERED_DEPTH"), "0.5");
@@ -488,12 +536,12 @@ bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
   }
   vtkTranslucencyShader shader;
   if (!shader.Assemble(gathering.File, gathering.Values, this->GetOfferedDefines(), this->GetSelection()) ||
-    !shader.Validate(outputs + "void main() { fragOutput0 = vec4(1.0); " + main + " }\n"))
+    !shader.Validate(mean + outputs + "void main() { fragOutput0 = vec4(1.0); " + main + " }\n"))
   {
     return this->Fail(shader.GetError());
   }
   kept.GatherKey = key;
-  kept.GatherText = shader.GetText();
+  kept.GatherText = shader.GetText() + mean;
   kept.GatherCall = call;
   kept.GatherStores = gathering.Critical;
   kept.GatherRejects = gathering.Rejects;
@@ -680,6 +728,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
   using Outcome = vtkFragmentStorage::Outcome;
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   this->Storage = storage;
+  storage->SetChannels(this->GetChannels());
   this->SetSample(WholePixel);
   if (!this->PrepareGather())
   {
@@ -931,7 +980,7 @@ bool vtkTranslucencyFrame::Composite(const std::string& file, const Defines& def
   const std::vector<Input>& inputs, const Uniforms& uniforms)
 {
   Stage over;
-  over.Blend = Blending::Over;
+  over.Blend = this->GetOver();
   over.Inputs = inputs;
   over.Values = uniforms;
   if (!this->DrawScreen(file, defines, over))
@@ -1022,7 +1071,7 @@ bool vtkTranslucencyFrame::Resolve(
   glEnable(GL_PROGRAM_POINT_SIZE);
   state->vtkglDisable(GL_DEPTH_TEST);
   Stage over;
-  over.Blend = Blending::Over;
+  over.Blend = this->GetOver();
   this->PrepareColors(over);
   this->DrawVertices(GL_POINTS, across * down);
   kept.Resolved.reset();
@@ -1074,7 +1123,7 @@ bool vtkTranslucencyFrame::ReserveSampleColors()
     return true;
   }
   vtkTranslucencyBuffer& colors = this->Pass->Internal->SampleColors;
-  constexpr vtkTypeInt64 colorBytes = 8;
+  const vtkTypeInt64 colorBytes = this->GetChannels() == 3 ? 16 : 8;
   const vtkTypeInt64 before = colors.GetBytes();
   if (!colors.Reserve(colorBytes * this->Samples * this->Tile[2] * this->Tile[3]))
   {

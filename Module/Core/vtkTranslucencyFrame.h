@@ -68,6 +68,7 @@ public:
     Add,              ///< all channels
     AddAndAttenuate,  ///< colour is added, alpha multiplied with 1 - alpha
     Over,             ///< before what is there: front's colours, multiplied by their opacity, and opacity
+    Filter,           ///< colour before what is there, which is multiplied by a second source colour (Shaders/Common/Output.glsl)
     Under,            ///< behind it: alpha is what is still seen, from 1 on
     Minimum,
     Maximum
@@ -172,6 +173,10 @@ public:
   /// Of a pixel, as far as the window has several and the driver can tell them apart.
   int GetSamples() const { return this->Samples; }
 
+  /// How many transmittances of a pixel shaders tell apart (Shaders/Common/Channels.glsl): three, of red, green and blue, where a prop that is
+  /// drawn has a transmission colour and the technique keeps them, else one.
+  int GetChannels() const { return this->Transmission == Transmissions::Colored ? 3 : 1; }
+
   /// What the resolves that follow see: WholePixel, or one sample (Shaders/Common/Samples.glsl); and if among is a level, only squares
   /// with pixels that were left to that, too.
   void SetSample(int sample, int among = -1);
@@ -217,6 +222,8 @@ private:
   friend class vtkTranslucencyPass;
   static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
   bool Fail(const std::string& error);
+  void ChooseTransmission();
+  Blending GetOver() const { return this->GetChannels() == 3 ? Blending::Filter : Blending::Over; }
   Defines GetOfferedDefines() const;
   void UseWholeViewportIfItFits();
   void UseWholeViewport();
@@ -231,6 +238,7 @@ private:
   bool DrawVolumes();
   bool PrepareGather();
   bool PrepareGather(const Gathering& gathering);
+  std::string GetMeanText() const;
   vtkShaderProgram* PrepareProgram(
     const std::string& vertexFile, const std::string& file, const Defines& defines);
 
@@ -244,6 +252,13 @@ private:
   vtkFragmentStorage* Storage = nullptr;
   int Samples = 1; // of a pixel
   int TargetSamples = 1; // the same, whether or not the driver can tell them apart
+  enum class Transmissions
+  {
+    None,
+    Mean, // of the transmission colours, where the technique keeps one channel
+    Colored
+  };
+  Transmissions Transmission = Transmissions::None;
   bool Cut = false; // whether this frame has cut a tile
   int Sample = WholePixel; // that resolves see
   int Among = -1;

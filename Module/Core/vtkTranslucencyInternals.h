@@ -92,6 +92,9 @@ struct vtkTranslucencyPass::Internals
   vtkTranslucencyFrame::Uniforms GatherUniforms; // of the stage, its samplers' texture units among them
   std::string GatherError; // of a mapper whose shader has no place for the call
 
+  /// The translucent props that have a transmission colour; invalid becomes the class of one whose colour is none.
+  static int CountTransmitting(const vtkRenderState* state, std::string& invalid);
+
   vtkTranslucencyVolumes Volumes;
 
   // The opaque depth, captured only if a shader asks for it.
@@ -135,6 +138,8 @@ struct vtkTranslucencyPass::Internals
   vtkSmartPointer<vtkDualDepthPeelingPass> Peeling;
   std::string Warned; // the reason for a fallback that was last warned of
   std::string MissingForSamples; // the same for drawing with one sample,
+  std::string MeanTransmission; // for taking transmission colours by their mean,
+  std::string InvalidTransmission; // for those that are none,
   std::string UndividedVolumes; // and for volumes that are drawn over the surfaces
 };
 

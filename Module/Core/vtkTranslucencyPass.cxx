@@ -11,6 +11,8 @@
 #include "vtkActor.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -22,9 +24,11 @@
 #include "vtkTextureObject.h"
 #include "vtkTranslucentPass.h"
 
+#include <algorithm>
 #include <numeric>
 #include <regex>
 
+vtkInformationKeyRestrictedMacro(vtkTranslucencyPass, TRANSMISSION_COLOR, DoubleVector, 3);
 vtkCxxSetObjectMacro(vtkTranslucencyPass, TranslucentPass, vtkRenderPass);
 vtkCxxSetObjectMacro(vtkTranslucencyPass, VolumetricPass, vtkRenderPass);
 
@@ -319,6 +323,62 @@ const char* vtkTranslucencyPass::GetSelectedCriticalSection(const vtkTranslucenc
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double green, double blue)
+{
+  if (!prop)
+  {
+    vtkGenericWarningMacro(<< "SetTransmissionColor: the prop is null");
+    return;
+  }
+  for (double channel : { red, green, blue })
+  {
+    if (!(channel >= 0 && channel <= 1))
+    {
+      vtkErrorWithObjectMacro(prop,
+        << "the transmission colour is (" << red << ", " << green << ", " << blue << "), expected three numbers from 0 to 1");
+      return;
+    }
+  }
+  if (!prop->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    prop->SetPropertyKeys(keys);
+  }
+  prop->GetPropertyKeys()->Set(TRANSMISSION_COLOR(), red, green, blue);
+  prop->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  const double* kept = keys ? keys->Get(TRANSMISSION_COLOR()) : nullptr;
+  bool valid = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    color[i] = kept ? kept[i] : 0;
+    valid = valid && color[i] >= 0 && color[i] <= 1;
+    color[i] = color[i] > 0 ? std::min(color[i], 1.0) : 0; // NaN becomes 0
+  }
+  return valid;
+}
+
+//------------------------------------------------------------------------------
+int vtkTranslucencyPass::Internals::CountTransmitting(const vtkRenderState* state, std::string& invalid)
+{
+  int count = 0;
+  for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
+  {
+    vtkProp* prop = vtkTranslucencyProp(state, i);
+    double color[3];
+    invalid = GetTransmissionColor(prop, color) ? invalid : prop->GetClassName();
+    const bool transmits = color[0] > 0 || color[1] > 0 || color[2] > 0;
+    count += transmits && prop->HasTranslucentPolygonalGeometry() ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(
   vtkOpenGLRenderWindow* window)
 {
@@ -477,8 +537,9 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool peel = samples == 0;
-  const std::string instead =
-    reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") + " instead";
+  std::string invalid;
+  const std::string instead = reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") + " instead" +
+    (Internals::CountTransmitting(state, invalid) > 0 ? ", without transmission colours" : "");
   if (kept.Warned != reason && lacking)
   {
     vtkWarningMacro(<< instead);
@@ -586,6 +647,12 @@ bool vtkTranslucencyPass::SetShaderParameters(
   kept.Window->GetState()->vtkglDepthMask(kept.GatherWritesDepth ? GL_TRUE : GL_FALSE);
   CullFaces(kept.Window->GetState(), kept.GatherFaces, prop);
   vtkTranslucencyFrame::SetUniforms(program, kept.GatherUniforms);
+  if (program->IsUniformUsed("gatherTransmission"))
+  {
+    double color[3];
+    GetTransmissionColor(prop, color);
+    program->SetUniform3f("gatherTransmission", color);
+  }
   const char* sampler = "translucencyOpaqueDepth";
   if (!program->IsUniformUsed(sampler))
   {

@@ -35,6 +35,7 @@
 #include <string> // for options
 #include <vector> // for options
 
+class vtkInformationDoubleVectorKey;
 class vtkOpenGLRenderWindow;
 class vtkTranslucencyFrame;
 class vtkTranslucencyStatistics;
@@ -127,6 +128,30 @@ public:
    * context must be current.
    */
   virtual std::string GetMissing(vtkOpenGLRenderWindow* window);
+
+  ///@{
+  /**
+   * What a prop's translucent surfaces let through of red, green and blue, each from 0 to 1: a surface of opacity a and transmission colour t
+   * hides a * (1 - t) of what lies behind it. Black, the default, is a surface as VTK has it, such as gauze, which hides what it covers; red is
+   * a red filter, which leaves the red of what lies behind; white hides nothing, and only adds its own colour, times a. (The survey in Real-Time
+   * Rendering, 4th edition, section 5.5, tells the two kinds apart; coverage and transmission as in McGuire and Mara 2017, "Phenomenological
+   * transparency".) The prop must be translucent by its opacity or by vtkActor::ForceTranslucentOn; of an assembly, it is the assembly's.
+   *
+   * Techniques that keep one transmittance, not three, take the mean and warn (KeepsTransmissionColors). Volumes, and the fallbacks of passes that
+   * can't draw, have no transmission colours.
+   *
+   * They live in the prop's property keys, TRANSMISSION_COLOR. A number outside 0 to 1 or NaN is an error and changes nothing.
+   * GetTransmissionColor gives false if the key, set in another way, is not three such numbers.
+   */
+  static vtkInformationDoubleVectorKey* TRANSMISSION_COLOR();
+  static void SetTransmissionColor(vtkProp* prop, double red, double green, double blue);
+  static bool GetTransmissionColor(vtkProp* prop, double color[3]);
+  ///@}
+
+  /**
+   * Whether the technique, with its present options, keeps a transmittance of red, green and blue each.
+   */
+  virtual bool KeepsTransmissionColors() const { return false; }
 
   // vtkOpenGLRenderPass
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,

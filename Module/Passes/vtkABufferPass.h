@@ -43,6 +43,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  bool KeepsTransmissionColors() const override { return true; }
 
 protected:
   vtkABufferPass() = default;

@@ -93,6 +93,7 @@ public:
   std::string GetReason();
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  bool KeepsTransmissionColors() const override { return !this->Delegate || this->Delegate->KeepsTransmissionColors(); }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -39,7 +39,8 @@ public:
   ///@{
   /**
    * How a fragment's colour and opacity are kept: HalfFloat (the default, 8 bytes: keeps opacities below 1/255 and colours
-   * above 1) or RGBA8 (4 bytes: each channel rounded to 1/255). Another value is an error and changes nothing.
+   * above 1) or RGBA8 (4 bytes: each channel rounded to 1/255). Where props have transmission colours there are three opacities,
+   * which take 4 bytes more. Another value is an error and changes nothing.
    */
   void SetColorFormat(int format);
   vtkGetMacro(ColorFormat, int);
@@ -67,6 +68,9 @@ public:
     TooLarge,    // they do not fit into the limit: cut the tile
     OutOfMemory, // the driver has no memory, even for less than the limit
   };
+
+  /// How many opacities a fragment has, 1 or 3 (Shaders/Common/Channels.glsl), from the next tile on. Core's to set.
+  void SetChannels(int channels) { this->Channels = channels; }
 
   /// "Name" stands for the files Storage/Name.glsl (storeFragment, firstFragment, nextFragment) and Storage/NameSort.glsl
   /// (sortFragments) of Module/Shaders; shaders include them as Storage/Selected.glsl and Storage/SelectedSort.glsl.
@@ -113,6 +117,7 @@ protected:
 
   int ColorFormat = HalfFloat;
   double MemoryLimit = 0;
+  int Channels = 1;
 
 private:
   vtkFragmentStorage(const vtkFragmentStorage&) = delete;

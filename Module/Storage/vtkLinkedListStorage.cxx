@@ -65,7 +65,7 @@ const char* vtkLinkedListStorage::GetShaderName() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkLinkedListStorage::GetNodeBytes() const
 {
-  return this->ColorFormat == RGBA8 ? 12 : 16;
+  return (this->ColorFormat == RGBA8 ? 3 : 4) * WordBytes + (this->Channels == 3 ? WordBytes : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
  * | buffer    | bytes                        | holds                                                                |
  * | --------- | ---------------------------- | -------------------------------------------------------------------- |
  * | table     | 4 a pixel                    | the head of the pixel's list, 0 if it is empty                       |
- * | fragments | 16 (HalfFloat), 12 (RGBA8)   | one node: next, depth, colour                                        |
+ * | fragments | 16 (HalfFloat), 12 (RGBA8)   | one node: next, depth, colour; 4 more with transmission colours      |
  * | counters  | 64 a cell                    | the next node of the cell of 16 x 16 pixels                          |
  *
  * A list is in the reverse order of drawing: the last drawn first. In multi-sampled windows a fragment may join the node before it

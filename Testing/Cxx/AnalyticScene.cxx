@@ -10,12 +10,14 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkTranslucencyPass.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 #include <set>
 
@@ -48,6 +50,22 @@ std::vector<int> Borders(
   return { borders.begin(), borders.end() };
 }
 
+/// The fragment of a rectangle that hides a part only of what its opacity says, and adds as much light.
+Reference::Fragment Hiding(const Rectangle& rectangle, double part)
+{
+  Reference::Fragment fragment{ rectangle.Depth, rectangle.Rgb, part * rectangle.Alpha };
+  for (double& channel : fragment.Rgb)
+  {
+    channel /= part;
+  }
+  return fragment;
+}
+
+bool Transmits(const Rectangle& rectangle)
+{
+  return rectangle.Transmission != Reference::Color{ { 0, 0, 0 } };
+}
+
 Reference::Color ComputePixel(const AnalyticScene& scene, int x, int y, const Compositor& composite)
 {
   Reference::Color opaque = scene.Background;
@@ -60,24 +78,30 @@ Reference::Color ComputePixel(const AnalyticScene& scene, int x, int y, const Co
       opaque = rectangle.Rgb;
     }
   }
-  std::vector<Reference::Fragment> fragments;
+  std::vector<Rectangle> covering;
   for (const Layer& layer : scene.Translucent)
   {
-    for (const Rectangle& rectangle : layer)
-    {
-      if (Covers(rectangle, x, y) && rectangle.Depth < opaqueDepth)
-      {
-        fragments.push_back({ rectangle.Depth, rectangle.Rgb, rectangle.Alpha });
-      }
-    }
+    std::copy_if(layer.begin(), layer.end(), std::back_inserter(covering),
+      [&](const Rectangle& rectangle) { return Covers(rectangle, x, y) && rectangle.Depth < opaqueDepth; });
   }
-  Reference::Pixel pixel = composite(fragments);
-  for (double& channel : pixel.Rgb)
+  const auto channelOver = [&](std::size_t channel)
   {
-    channel = std::min(
-      channel, 1.0); // as a framebuffer of bytes does before it blends; Overestimate can pass 1
-  }
-  return pixel.Over(opaque);
+    std::vector<Reference::Fragment> fragments;
+    for (const Rectangle& rectangle : covering)
+    {
+      fragments.push_back(Hiding(rectangle, 1 - rectangle.Transmission[channel]));
+    }
+    Reference::Pixel pixel = composite(fragments);
+    for (double& color : pixel.Rgb)
+    {
+      color = std::min(
+        color, 1.0); // as a framebuffer of bytes does before it blends; Overestimate can pass 1
+    }
+    return pixel.Over(opaque);
+  };
+  const bool transmits = std::any_of(covering.begin(), covering.end(), Transmits);
+  const Reference::Color red = channelOver(0);
+  return transmits ? Reference::Color{ { red[0], channelOver(1)[1], channelOver(2)[2] } } : red;
 }
 
 vtkSmartPointer<vtkPolyData> MakeQuads(const Layer& layer)
@@ -111,8 +135,14 @@ vtkSmartPointer<vtkPolyData> MakeQuads(const Layer& layer)
 vtkSmartPointer<vtkActor> MakeActor(const Layer& layer)
 {
   const bool one = layer.size() == 1; // else the cells have their colours
-  return NewUnlitActor(MakeQuads(layer), one ? layer.front().Rgb : Reference::Color{ { 1, 1, 1 } },
+  auto actor = NewUnlitActor(MakeQuads(layer), one ? layer.front().Rgb : Reference::Color{ { 1, 1, 1 } },
     one ? layer.front().Alpha : 1);
+  const Reference::Color& transmission = layer.front().Transmission;
+  if (Transmits(layer.front()))
+  {
+    vtkTranslucencyPass::SetTransmissionColor(actor, transmission[0], transmission[1], transmission[2]);
+  }
+  return actor;
 }
 
 AnalyticScene Rounded(AnalyticScene scene, double (*round)(double))
@@ -244,6 +274,38 @@ AnalyticScene AnalyticScene::Reversed() const
   for (Layer& layer : scene.Translucent)
   {
     std::reverse(layer.begin(), layer.end());
+  }
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+AnalyticScene AnalyticScene::Transmitting(unsigned int seed) const
+{
+  AnalyticScene scene = *this;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> part(0, 0.9);
+  for (Layer& layer : scene.Translucent)
+  {
+    const Reference::Color transmission{ { part(random), part(random), part(random) } };
+    for (Rectangle& rectangle : layer)
+    {
+      rectangle.Transmission = transmission;
+    }
+  }
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+AnalyticScene AnalyticScene::MeanTransmission() const
+{
+  AnalyticScene scene = *this;
+  for (Layer& layer : scene.Translucent)
+  {
+    for (Rectangle& rectangle : layer)
+    {
+      const Reference::Color transmission = rectangle.Transmission;
+      rectangle.Transmission.fill((transmission[0] + transmission[1] + transmission[2]) / 3);
+    }
   }
   return scene;
 }

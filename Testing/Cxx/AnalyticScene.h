@@ -31,6 +31,7 @@ struct Rectangle
   double Depth; // window depth, a multiple of 1/65536
   Reference::Color Rgb;
   double Alpha;
+  Reference::Color Transmission{ { 0, 0, 0 } }; // an actor has one: that of its first rectangle
 };
 
 /// Rectangles that are drawn by one actor, in this order. Where there are several, colours and opacities are multiples of
@@ -49,7 +50,8 @@ struct AnalyticScene
   std::vector<Rectangle> Opaque;
   std::vector<Layer> Translucent; // in the order of drawing
 
-  /// The picture as it should be.
+  /// The picture as it should be. With transmission colours each channel is composited by itself: a surface of opacity a and transmission t is
+  /// one of opacity a * (1 - t) that adds as much light.
   Picture Compute(const Compositor& composite) const;
 
   /// Adds the actors and sets background and camera.
@@ -57,6 +59,12 @@ struct AnalyticScene
 
   /// The same with the translucent layers drawn the other way round.
   AnalyticScene Reversed() const;
+
+  /// The same with transmission colours, from 0 to 0.9.
+  AnalyticScene Transmitting(unsigned int seed) const;
+
+  /// The same with the mean of each transmission colour instead of its channels.
+  AnalyticScene MeanTransmission() const;
 
   /// The same with colours and opacities rounded as a fragment storage rounds them.
   AnalyticScene RoundedToHalf() const;

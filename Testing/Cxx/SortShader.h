@@ -1,6 +1,6 @@
 /**
- * Module/Shaders/Common/SortBlock.glsl, compiled as C++, once for each size of a block and each order among fragments of equal
- * depth.
+ * Module/Shaders/Common/SortBlock.glsl, compiled as C++, once for each size of a block, number of channels and order among fragments
+ * of equal depth.
  */
 #ifndef SortShader_h
 #define SortShader_h
@@ -12,13 +12,14 @@
 struct SortedFragment
 {
   float Depth;
-  std::uint32_t Color[2];
+  std::uint32_t Color[3]; // the third word with three channels only
   std::uint32_t Node; // where the fragment was before sorting, from 1
 };
 
 struct SortVariant
 {
   int BlockSize;
+  int Channels;
   std::string Order; // among equals: "Drawn", "Content" or "None"
 
   /// Sorts up to BlockSize fragments; gives back the block's elements in use, in their order, and whether two of them are at

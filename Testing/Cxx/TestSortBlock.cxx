@@ -10,13 +10,15 @@
 namespace
 {
 /// Few depths and colours, so that ties are common.
-std::vector<SortedFragment> AnyFragments(int most)
+std::vector<SortedFragment> AnyFragments(const SortVariant& variant)
 {
-  std::vector<SortedFragment> fragments(*rc::gen::inRange<std::size_t>(0, most + 1));
+  const std::uint32_t lastWords = variant.Channels == 3 ? 3 : 1;
+  std::vector<SortedFragment> fragments(*rc::gen::inRange<std::size_t>(0, variant.BlockSize + 1));
   for (std::size_t i = 0; i < fragments.size(); ++i)
   {
     fragments[i] = { static_cast<float>(*rc::gen::inRange(0, 9)) / 8,
-      { *rc::gen::inRange(0u, 3u), *rc::gen::inRange(0u, 3u) }, static_cast<std::uint32_t>(i + 1) };
+      { *rc::gen::inRange(0u, 3u), *rc::gen::inRange(0u, 3u), *rc::gen::inRange(0u, lastWords) },
+      static_cast<std::uint32_t>(i + 1) };
   }
   return fragments;
 }
@@ -33,7 +35,7 @@ std::vector<std::uint32_t> Nodes(const std::vector<SortedFragment>& fragments)
 
 auto Content(const SortedFragment& fragment)
 {
-  return std::make_tuple(fragment.Depth, fragment.Color[0], fragment.Color[1]);
+  return std::make_tuple(fragment.Depth, fragment.Color[0], fragment.Color[1], fragment.Color[2]);
 }
 
 bool NearerThan(const SortedFragment& a, const SortedFragment& b)
@@ -63,7 +65,7 @@ TEST_P(TestSortBlock, SortsAsTheStandardLibraryDoes)
   EXPECT_TRUE(rc::check("by depth, then " + order,
     [&order]
     {
-      std::vector<SortedFragment> expected = AnyFragments(GetParam().BlockSize);
+      std::vector<SortedFragment> expected = AnyFragments(GetParam());
       bool equalDepths = false;
       const std::vector<SortedFragment> sorted = GetParam().Sort(expected, equalDepths);
       std::stable_sort(
@@ -86,7 +88,7 @@ TEST_P(TestSortBlock, CarriesEachFragmentAlongOnce)
   EXPECT_TRUE(rc::check("nodes and colours stay with their depths",
     []
     {
-      const std::vector<SortedFragment> fragments = AnyFragments(GetParam().BlockSize);
+      const std::vector<SortedFragment> fragments = AnyFragments(GetParam());
       bool equalDepths = false;
       const std::vector<SortedFragment> sorted = GetParam().Sort(fragments, equalDepths);
       std::vector<std::uint32_t> nodes = Nodes(sorted);
@@ -101,4 +103,6 @@ TEST_P(TestSortBlock, CarriesEachFragmentAlongOnce)
 }
 
 INSTANTIATE_TEST_SUITE_P(Network, TestSortBlock, testing::ValuesIn(SortVariants()),
-  [](const auto& info) { return info.param.Order + std::to_string(info.param.BlockSize); });
+  [](const auto& info) {
+    return info.param.Order + std::to_string(info.param.BlockSize) + "_" + std::to_string(info.param.Channels);
+  });

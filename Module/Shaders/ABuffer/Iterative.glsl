@@ -17,7 +17,7 @@
 #define GROUP 16
 #define FRAGMENTS_A_ROUND 4
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   uint first = firstFragment(pixel);
   uint cursor = first;
@@ -26,7 +26,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   while (cursor != 0u)
   {
     Fragment group[GROUP];
-    float visibility[GROUP];
+    Channels visibility[GROUP];
     for (int i = 0; i < GROUP; ++i)
     {
       Fragment fragment = EMPTY_FRAGMENT(0.0); // transparent, where the list has ended
@@ -35,7 +35,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
         nextFragment(cursor, fragment);
       }
       group[i] = fragment;
-      visibility[i] = 1.0;
+      visibility[i] = Channels(1.0);
     }
     other = first;
     uint age = 0u;
@@ -46,12 +46,12 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
         Fragment fragment;
         if (nextFragment(other, fragment))
         {
-          float passes = 1.0 - unpackColor(fragment.color).a;
+          Channels passes = 1.0 - unpackColor(fragment.color).opacity;
           for (int i = 0; i < GROUP; ++i)
           {
             bool before = inFront(fragment.depth, fragment.color, age, group[i].depth,
               group[i].color, count + uint(i));
-            visibility[i] *= before ? passes : 1.0;
+            visibility[i] *= before ? passes : Channels(1.0);
           }
           ++age;
         }
@@ -59,9 +59,9 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     }
     for (int i = 0; i < GROUP; ++i)
     {
-      vec4 shaded = unpackColor(group[i].color);
-      color += visibility[i] * shaded.a * shaded.rgb;
-      transmittance *= 1.0 - shaded.a;
+      Surface surface = unpackColor(group[i].color);
+      color += visibility[i] * surface.color;
+      transmittance *= 1.0 - surface.opacity;
     }
     count = min(count + uint(GROUP), age);
   }

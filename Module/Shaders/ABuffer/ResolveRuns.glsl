@@ -62,7 +62,7 @@ int nearestRun(Runs runs)
   return nearest;
 }
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   Runs runs;
   for (int k = 0; k < RUNS; ++k)
@@ -100,7 +100,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   while (blended < count)
   {
     int nearest = nearestRun(runs);
-    uvec2 words = uvec2(0u);
+    PackedColor words = PackedColor(0u);
     for (int k = 0; k < RUNS; ++k)
     {
       words = k == nearest ? runs.head[k].color : words;

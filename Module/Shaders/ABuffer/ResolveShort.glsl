@@ -24,31 +24,31 @@ void blendSamples(ivec2 pixel, Block block)
   if (!samplesAgree())
   {
     vec3 color[SAMPLES];
-    float transmittance[SAMPLES];
+    Channels transmittance[SAMPLES];
     for (int index = 0; index < SAMPLES; ++index)
     {
       color[index] = vec3(0.0);
-      transmittance[index] = 1.0;
+      transmittance[index] = Channels(1.0);
     }
     for (int i = 0; i < BLOCK_SIZE; ++i)
     {
-      vec4 fragment = unpackColor(block.color[i]);
+      Surface surface = unpackColor(block.color[i]);
       for (int index = 0; index < SAMPLES; ++index)
       {
-        bool covers = ((block.carried[i] >> uint(index)) & 1u) != 0u;
-        blendBehind(color[index], transmittance[index], vec4(fragment.rgb, covers ? fragment.a : 0.0));
+        float covers = float((block.carried[i] >> uint(index)) & 1u);
+        blendBehind(color[index], transmittance[index], Surface(covers * surface.color, covers * surface.opacity));
       }
     }
     for (int index = 0; index < SAMPLES; ++index)
     {
-      storeSample(pixel, index, vec4(color[index], 1.0 - transmittance[index]));
+      storeSample(pixel, index, color[index], transmittance[index]);
     }
     leaveToLevel(pixel, LEVEL_SAMPLES);
   }
 }
 #endif
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   Block block;
   uint count;

@@ -8,7 +8,7 @@
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   uint cursor = firstFragment(pixel);
   bool holdsFragments = cursor != 0u;

@@ -24,7 +24,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    bound(sums, fragment.depth, unpackColor(fragment.color).a);
+    bound(sums, fragment.depth, unpackColor(fragment.color).opacity);
   }
   unread |= cursor;
 #endif
@@ -32,7 +32,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    float alpha = unpackColor(fragment.color).a;
+    float alpha = unpackColor(fragment.color).opacity;
     absorb(sums, fragment.depth, alpha);
     count += alpha > 0.0 ? 1u : 0u;
   }

@@ -21,10 +21,10 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     leaveToLevel(pixel, LONGER_LEVEL);
     return false;
   }
-  vec4 colors[BLOCK_SIZE];
+  Surface surfaces[BLOCK_SIZE];
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
-    colors[i] = unpackColor(block.color[i]);
+    surfaces[i] = unpackColor(block.color[i]);
     block.depth[i] = min(block.depth[i], 1.0); // an empty element is transparent, and lies behind all that can be computed with
   }
   Sums sums;
@@ -32,16 +32,16 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 #if ABSORBANCE_BOUNDS == ABSORBANCE_BOUNDS_FRAGMENTS
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
-    bound(sums, block.depth[i], colors[i].a);
+    bound(sums, block.depth[i], surfaces[i].opacity);
   }
 #endif
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
-    absorb(sums, block.depth[i], colors[i].a);
+    absorb(sums, block.depth[i], surfaces[i].opacity);
   }
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
-    weigh(sums, block.depth[i], colors[i]);
+    weigh(sums, block.depth[i], surfaces[i]);
   }
   transmittance = sums.transmittance;
   color = correctedColor(sums.color, sums.weights, transmittance);

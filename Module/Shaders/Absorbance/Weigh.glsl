@@ -9,6 +9,7 @@
 #define Weigh_glsl
 #include "Absorbance/Correct.glsl"
 #include "Absorbance/Range.glsl"
+#include "Common/Fragment.glsl"
 
 struct Sums
 {
@@ -46,13 +47,13 @@ void absorb(inout Sums sums, float depth, float alpha)
   sums.transmittance *= 1.0 - alpha;
 }
 
-void weigh(inout Sums sums, float depth, vec4 color)
+void weigh(inout Sums sums, float depth, Surface surface)
 {
   Basis basis;
   basisAt(relativeDepth(linearDepth(depth), sums.range), basis);
-  float weight = visibilityOf(sums.terms, basis, absorbanceOf(color.a)) * color.a;
-  sums.color += weight * color.rgb;
-  sums.weights += weight;
+  float visibility = visibilityOf(sums.terms, basis, absorbanceOf(surface.opacity));
+  sums.color += visibility * surface.color;
+  sums.weights += visibility * surface.opacity;
 }
 
 #endif

@@ -34,7 +34,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   uint cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    float alpha = unpackColor(fragment.color).a;
+    float alpha = unpackColor(fragment.color).opacity;
     transmittance *= 1.0 - alpha;
     insertFragment(visibility, nodeDepth(fragment, alpha), alpha, count);
     count += alpha > 0.0 ? 1 : 0;
@@ -50,9 +50,9 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    vec4 shaded = unpackColor(fragment.color);
-    float depth = nodeDepth(fragment, shaded.a);
-    color += transmittanceBefore(visibility, depth) * shaded.a * shaded.rgb;
+    Surface surface = unpackColor(fragment.color);
+    float depth = nodeDepth(fragment, surface.opacity);
+    color += transmittanceBefore(visibility, depth) * surface.color;
 #if EQUAL_DEPTHS
     passNode(visibility, depth);
 #endif

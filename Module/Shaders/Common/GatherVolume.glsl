@@ -96,7 +96,7 @@ bool startRay(float front, float back)
 #endif
 }
 
-// color is multiplied by its opacity.
+// color is multiplied by its opacity. Volumes have no transmission colour.
 void storeSegment(vec4 color)
 {
   if (color.a > 0.0)

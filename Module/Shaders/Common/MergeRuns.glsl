@@ -6,7 +6,7 @@
 
 uniform int runLength;
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   recordUnfinished(mergeRuns(pixel, uint(runLength)));
   return false;

@@ -10,7 +10,7 @@
 //
 // Reading what other fragments of the pixel have stored takes a driver that shades them one after the other.
 //
-// Needs: SAMPLES, COLOR_FORMAT, FRAGMENT_ORDER.  Gives: MERGES_SAMPLES, and if that is 1: mayMerge, mergeFragments.
+// Needs: SAMPLES, COLOR_FORMAT, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: MERGES_SAMPLES, and if that is 1: mayMerge, mergeFragments.
 #ifndef MergeSamples_glsl
 #define MergeSamples_glsl
 #include "Common/Fragment.glsl"
@@ -22,11 +22,11 @@
 // A channel is compared and averaged as it is packed. The bits of half floats are in the order of their values and nearly linear in
 // between. MERGE_TOLERANCE is in units of the last bit.
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-#define OPACITY_OF(words) ((words).x >> 24u)
+#define OPACITY_BITS uvec3(0xff000000u, 0xffffffffu, 0xffffffffu)
 #define CHANNELS_OF(words) ivec3((words).x & 0xffu, ((words).x >> 8u) & 0xffu, ((words).x >> 16u) & 0xffu)
 #define MERGE_TOLERANCE(larger) ivec3(8)
 #else
-#define OPACITY_OF(words) ((words).y >> 16u)
+#define OPACITY_BITS uvec3(0u, 0xffff0000u, 0xffffffffu)
 #define CHANNELS_OF(words) ivec3((words).x & 0xffffu, (words).x >> 16u, (words).y & 0xffffu)
 // 1/32 has 64 of those units at 0.5, where the exponent is 14, and twice as many for each exponent below, but not more than an exponent.
 #define MERGE_TOLERANCE(larger) (ivec3(1024) >> clamp((larger >> 10) - 10, ivec3(0), ivec3(10)))
@@ -38,7 +38,7 @@ bool mayMerge(Fragment stored, Fragment fragment, float depthExtent)
   ivec3 a = CHANNELS_OF(stored.color);
   ivec3 b = CHANNELS_OF(fragment.color);
   return (stored.coverage & fragment.coverage) == 0u && abs(stored.depth - fragment.depth) <= depthExtent &&
-    OPACITY_OF(stored.color) == OPACITY_OF(fragment.color) &&
+    (stored.color & PackedColor(OPACITY_BITS)) == (fragment.color & PackedColor(OPACITY_BITS)) &&
     all(lessThanEqual(abs(a - b), MERGE_TOLERANCE(max(a, b))));
 }
 
@@ -49,13 +49,12 @@ Fragment mergeFragments(Fragment stored, Fragment fragment)
   float share = float(bitCount(fragment.coverage)) / float(bitCount(coverage));
   ivec3 before = CHANNELS_OF(stored.color);
   uvec3 mean = uvec3(before + ivec3(round(share * vec3(CHANNELS_OF(fragment.color) - before))));
-  uint opacity = OPACITY_OF(stored.color);
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-  uvec2 color = uvec2(mean.r | mean.g << 8u | mean.b << 16u | opacity << 24u, 0u);
+  uvec3 color = uvec3(mean.r | mean.g << 8u | mean.b << 16u, 0u, 0u);
 #else
-  uvec2 color = uvec2(mean.r | mean.g << 16u, mean.b | opacity << 16u);
+  uvec3 color = uvec3(mean.r | mean.g << 16u, mean.b, 0u);
 #endif
-  return Fragment(stored.depth, color, coverage);
+  return Fragment(stored.depth, PackedColor(color) | (stored.color & PackedColor(OPACITY_BITS)), coverage);
 }
 
 #else

@@ -22,7 +22,7 @@ Fragment atSample(Fragment fragment)
 #if SAMPLES > 1
   samplesInAll &= fragment.coverage;
   bool covers = resolveSample < 0 || ((fragment.coverage >> uint(resolveSample)) & 1u) != 0u;
-  fragment.color = covers ? fragment.color : uvec2(0u);
+  fragment.color = covers ? fragment.color : PackedColor(0u);
 #endif
   return fragment;
 }

@@ -8,9 +8,10 @@
 // A network does not keep the order of equals. EQUAL_DEPTHS 1 decides between them (Order.glsl), which takes twice the steps;
 // EQUAL_DEPTHS 0 does not, and hasEqualDepths tells afterwards whether it would have been needed.
 //
-// Needs: BLOCK_SIZE (8, 16 or 32), EQUAL_DEPTHS, FRAGMENT_ORDER.  Gives: Block, emptyBlock, sortBlock, hasEqualDepths.
+// Needs: BLOCK_SIZE (8, 16 or 32), EQUAL_DEPTHS, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: Block, emptyBlock, sortBlock, hasEqualDepths.
 #ifndef SortBlock_glsl
 #define SortBlock_glsl
+#include "Common/Channels.glsl"
 #include "Common/Language.glsl"
 #include "Common/Order.glsl"
 #ifndef BLOCK_SIZE
@@ -25,7 +26,7 @@
 struct Block
 {
   float depth[BLOCK_SIZE];
-  uvec2 color[BLOCK_SIZE];
+  PackedColor color[BLOCK_SIZE];
   uint age[BLOCK_SIZE];
   uint carried[BLOCK_SIZE]; // goes where its fragment goes: where that lies in the storage, or its coverage
 };
@@ -35,7 +36,7 @@ void emptyBlock(OUT(Block) block)
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
     block.depth[i] = BLOCK_EMPTY;
-    block.color[i] = uvec2(0u);
+    block.color[i] = PackedColor(0u);
     block.age[i] = uint(i);
     block.carried[i] = 0u;
   }
@@ -54,7 +55,7 @@ void emptyBlock(OUT(Block) block)
     bool swapped = inFront(block.depth[j], block.color[j], block.age[j], block.depth[i], \
       block.color[i], block.age[i]); \
     EXCHANGE_IF(swapped, float, depth, i, j) \
-    EXCHANGE_IF(swapped, uvec2, color, i, j) \
+    EXCHANGE_IF(swapped, PackedColor, color, i, j) \
     EXCHANGE_IF(swapped, uint, age, i, j) \
     EXCHANGE_IF(swapped, uint, carried, i, j) \
   }
@@ -63,7 +64,7 @@ void emptyBlock(OUT(Block) block)
   { \
     bool swapped = block.depth[j] < block.depth[i]; \
     EXCHANGE_IF(swapped, float, depth, i, j) \
-    EXCHANGE_IF(swapped, uvec2, color, i, j) \
+    EXCHANGE_IF(swapped, PackedColor, color, i, j) \
     EXCHANGE_IF(swapped, uint, carried, i, j) \
   }
 #endif

@@ -4,7 +4,7 @@
 #include "Common/Statistics.glsl"
 #include "Storage/SelectedSort.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   uint cursor;
   recordFragments(sortRuns(pixel, cursor));

@@ -10,7 +10,7 @@
 // With several samples a pixel, a link is the distance to the next node in 24 bits (0: none), so that the coverage finds room beside
 // it, and the upper bits of a head count the samples that are resolved.
 //
-// Needs: COLOR_FORMAT, SAMPLES.  Gives: storeFragment, firstFragment, nextFragment, dropFragments, squareFragments, and where
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: storeFragment, firstFragment, nextFragment, dropFragments, squareFragments, and where
 // lists are changed: insertFragment, loadNode, linkNode, setFirstFragment.
 #ifndef LinkedList_glsl
 #define LinkedList_glsl
@@ -38,12 +38,21 @@ layout(std430, binding = STORAGE_BINDING_TABLE) buffer ListHeads
   uint listHeads[];
 };
 
+// A node is next, depth, and the words of the colour that are in use.
+#if COLOR_FORMAT == COLOR_FORMAT_RGBA8 && TRANSMITTANCE_CHANNELS == 1
+#define NODE_WORDS 3
+#elif COLOR_FORMAT == COLOR_FORMAT_RGBA8 || TRANSMITTANCE_CHANNELS == 1
+#define NODE_WORDS 4
+#else
+#define NODE_WORDS 5
+#endif
+
 layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer ListNodes
 {
-#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-  uint listNodes[]; // next, depth, colour
+#if NODE_WORDS == 4
+  uvec4 listNodes[];
 #else
-  uvec4 listNodes[]; // next, depth, colour
+  uint listNodes[];
 #endif
 };
 
@@ -86,12 +95,17 @@ uint unpackCoverage(uint link)
 void writeNode(uint index, uint next, Fragment fragment)
 {
   uint link = packLink(index + 1u, next, fragment.coverage);
-#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-  listNodes[index * 3u] = link;
-  listNodes[index * 3u + 1u] = floatBitsToUint(fragment.depth);
-  listNodes[index * 3u + 2u] = fragment.color.x;
+#if NODE_WORDS == 4
+  listNodes[index] = uvec4(link, floatBitsToUint(fragment.depth), fragment.color.xy);
 #else
-  listNodes[index] = uvec4(link, floatBitsToUint(fragment.depth), fragment.color);
+  uint word = index * uint(NODE_WORDS);
+  listNodes[word] = link;
+  listNodes[word + 1u] = floatBitsToUint(fragment.depth);
+  listNodes[word + 2u] = fragment.color.x;
+#if NODE_WORDS == 5
+  listNodes[word + 3u] = fragment.color.y;
+  listNodes[word + 4u] = fragment.color.z;
+#endif
 #endif
 }
 
@@ -113,14 +127,19 @@ uint squareFragments(ivec2 pixel)
 
 Fragment loadNode(uint node, out uint next)
 {
-#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-  uint word = (node - 1u) * 3u;
-  uvec4 words = uvec4(listNodes[word], listNodes[word + 1u], listNodes[word + 2u], 0u);
-#else
+  uint last = 0u;
+#if NODE_WORDS == 4
   uvec4 words = listNodes[node - 1u];
+#else
+  uint word = (node - 1u) * uint(NODE_WORDS);
+  uvec4 words = uvec4(listNodes[word], listNodes[word + 1u], listNodes[word + 2u], 0u);
+#if NODE_WORDS == 5
+  words.w = listNodes[word + 3u];
+  last = listNodes[word + 4u];
+#endif
 #endif
   next = unpackNext(node, words.x);
-  return Fragment(uintBitsToFloat(words.y), words.zw, unpackCoverage(words.x));
+  return Fragment(uintBitsToFloat(words.y), PackedColor(uvec3(words.zw, last)), unpackCoverage(words.x));
 }
 
 // Where fragments of a pixel are drawn in order, nobody else is at the pixel's head: a plain exchange, which takes less time.
@@ -161,10 +180,10 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 
 void linkNode(uint node, uint next)
 {
-#if COLOR_FORMAT == COLOR_FORMAT_RGBA8
-#define LINK_OF(node) listNodes[(node - 1u) * 3u]
-#else
+#if NODE_WORDS == 4
 #define LINK_OF(node) listNodes[node - 1u].x
+#else
+#define LINK_OF(node) listNodes[(node - 1u) * uint(NODE_WORDS)]
 #endif
 #if SAMPLES > 1
   LINK_OF(node) = packLink(node, next, unpackCoverage(LINK_OF(node)));

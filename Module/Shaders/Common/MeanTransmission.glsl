@@ -1,0 +1,18 @@
+// MeanTransmission.glsl: the transmission colour of a prop, for techniques that keep one transmittance.
+//
+// The fragment hides what it hides on average of red, green and blue, and adds the light that it adds. The opacity stays above 0, where an
+// emitting fragment could not be told from none: 1/1024 of the opacity is hidden at least.
+//
+// Gives: meanTransmission.
+#ifndef MeanTransmission_glsl
+#define MeanTransmission_glsl
+
+uniform vec3 gatherTransmission;
+
+vec4 meanTransmission(vec4 color)
+{
+  float hides = max(1.0 - dot(gatherTransmission, vec3(1.0 / 3.0)), 1.0 / 1024.0);
+  return vec4(color.rgb / hides, color.a * hides);
+}
+
+#endif

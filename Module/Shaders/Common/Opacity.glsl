@@ -1,0 +1,22 @@
+// Opacity.glsl: what a fragment hides, from the colour that a mapper has shaded and the prop's transmission colour (Channels.glsl).
+//
+// Needs: TRANSMITTANCE_CHANNELS.  Gives: opacityOf.
+#ifndef Opacity_glsl
+#define Opacity_glsl
+#include "Common/Channels.glsl"
+
+#if TRANSMITTANCE_CHANNELS == 3
+uniform vec3 gatherTransmission;
+
+Channels opacityOf(vec4 color)
+{
+  return color.a * (1.0 - gatherTransmission);
+}
+#else
+Channels opacityOf(vec4 color)
+{
+  return color.a;
+}
+#endif
+
+#endif

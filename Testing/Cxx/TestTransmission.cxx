@@ -1,0 +1,300 @@
+// Transmission colours: surfaces that let through a part of each of red, green and blue, against pictures computed channel by channel.
+#include "RenderTest.h"
+
+#include <vtkActor.h>
+#include <vtkAssembly.h>
+#include <vtkFragmentStorage.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleVectorKey.h>
+#include <vtkLODProp3D.h>
+#include <vtkMapper.h>
+#include <vtkProperty.h>
+#include <vtkTranslucencyFactory.h>
+#include <vtkTranslucencyStatistics.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace
+{
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+struct Technique
+{
+  std::string Name; // of the test
+  std::string Technique;
+  Settings Options;
+  Compositor Compute;
+};
+
+void PrintTo(const Technique& value, std::ostream* os)
+{
+  *os << value.Name;
+}
+
+vtkSmartPointer<vtkTranslucencyPass> New(const std::string& technique, const Settings& options = {})
+{
+  auto pass = vtkSmartPointer<vtkTranslucencyPass>::Take(
+    vtkTranslucencyPass::SafeDownCast(vtkTranslucencyFactory::CreateTechnique(technique)));
+  for (const auto& option : options)
+  {
+    EXPECT_TRUE(pass->SetOption(option.first, option.second)) << option.first << "=" << option.second;
+  }
+  return pass;
+}
+
+// Those that keep three channels, each of which is what the technique's theory says for it alone.
+std::vector<Technique> Colored()
+{
+  return { { "Exact", "exact", {}, Reference::CompositeExact },
+    { "ExactIterative", "exact", { { "resolve", "iterative" } }, Reference::CompositeExact },
+    { "ExactBytes", "exact", { { "color_format", "rgba8" } }, Reference::CompositeExact } };
+}
+
+struct Scene
+{
+  std::string Name;
+  AnalyticScene Made;
+};
+
+// Deep enough for each way in which lists are resolved.
+std::vector<Scene> Scenes()
+{
+  return { { "Layers3", RandomLayers(100, 75, 1, 3, 0.2, 0.8).Transmitting(11) },
+    { "Layers30", RandomLayers(100, 75, 2, 30, 0.02, 0.8).Transmitting(12) },
+    { "Layers120", RandomLayers(60, 45, 3, 120, 0.02, 0.3).Transmitting(13) },
+    { "Layers400", RandomLayers(40, 30, 4, 400, 0.02, 0.1).Transmitting(14) },
+    { "Mosaic64", RandomMosaic(100, 75, 6, 64, 0.02, 0.3).Transmitting(15) } };
+}
+
+constexpr double Bound = 2; // of 255: the framebuffer rounds, and fragments are rounded
+}
+
+class TestTransmission
+  : public RenderTest
+  , public testing::WithParamInterface<Technique>
+{
+};
+
+//------------------------------------------------------------------------------
+TEST_P(TestTransmission, IsAsComputedForEachChannel)
+{
+  const bool bytes = GetParam().Name.find("Bytes") != std::string::npos;
+  for (const Scene& scene : Scenes())
+  {
+    SCOPED_TRACE(scene.Name);
+    const Picture computed = scene.Made.Compute(GetParam().Compute);
+    for (int samples : { 0, 4 })
+    {
+      SCOPED_TRACE(samples);
+      const auto pass = New(GetParam().Technique, GetParam().Options);
+      View view(scene.Made, samples);
+      view.SetPass(pass);
+      const PictureDifference difference = Compare(view.Render(), computed);
+      // Opacities in bytes are off by half of 1/255 each: too much for many faint ones.
+      EXPECT_LE(difference.Largest, bytes ? 6 : Bound) << difference;
+      EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestTransmission, ComesAndGoes)
+{
+  const AnalyticScene plain = RandomLayers(100, 75, 2, 30, 0.02, 0.8);
+  const AnalyticScene scene = plain.Transmitting(12);
+  const auto pass = New(GetParam().Technique, GetParam().Options);
+  View view(scene);
+  view.SetPass(pass);
+  const Picture colored = view.Render();
+  const vtkTypeInt64 bytes = pass->GetStatistics()->GetBytes();
+  EXPECT_EQ(Compare(colored, view.Render()).Largest, 0);
+  EXPECT_EQ(pass->GetStatistics()->GetShaderBuilds(), 0);
+
+  vtkActorCollection* actors = view.Renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor())
+  {
+    vtkTranslucencyPass::SetTransmissionColor(actor, 0, 0, 0);
+  }
+  const Picture without = view.Render();
+  EXPECT_EQ(Compare(without, Draw(plain, New(GetParam().Technique, GetParam().Options))).Largest, 0);
+  EXPECT_GT(Compare(without, colored).Largest, 20);
+  EXPECT_GE(bytes, pass->GetStatistics()->GetBytes());
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, TestTransmission, testing::ValuesIn(Colored()),
+  [](const auto& info) { return info.param.Name; });
+
+//------------------------------------------------------------------------------
+class TestMeanTransmission
+  : public RenderTest
+  , public testing::WithParamInterface<std::string>
+{
+};
+
+// A technique that keeps one transmittance draws what it draws of surfaces that hide the mean of the three, and says so once.
+TEST_P(TestMeanTransmission, OfTechniquesWithOneTransmittance)
+{
+  const AnalyticScene scene = RandomLayers(100, 75, 1, 3, 0.2, 0.8).Transmitting(11);
+  const auto pass = New(GetParam());
+  if (pass->KeepsTransmissionColors())
+  {
+    EXPECT_EQ(Draw(scene, pass).Width, 100); // without a warning
+    return;
+  }
+  View view(scene);
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  view.Render();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("transmission colours of 3 props are taken by their mean"), std::string::npos) << messages[0];
+
+  AnalyticScene mean = scene.MeanTransmission();
+  for (Layer& layer : mean.Translucent)
+  {
+    for (Rectangle& rectangle : layer)
+    {
+      const double hides = 1 - rectangle.Transmission[0];
+      rectangle.Transmission = { { 0, 0, 0 } };
+      rectangle.Alpha *= hides;
+      for (double& channel : rectangle.Rgb)
+      {
+        channel /= hides;
+      }
+    }
+  }
+  const PictureDifference difference = Compare(drawn, Draw(mean, New(GetParam())));
+  // Its chances follow from all bits of a colour.
+  EXPECT_LE(difference.Largest, GetParam() == "stochastic" ? 30 : 1) << difference;
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, TestMeanTransmission, testing::ValuesIn([] {
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
+    if (vtkTranslucencyPass::SafeDownCast(pass)) // not VTK's own
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}()),
+  [](const auto& info) { return info.param; });
+
+//------------------------------------------------------------------------------
+using TestTransmissionColor = RenderTest;
+
+// A white surface hides nothing and adds its light; a red one leaves red.
+TEST_F(TestTransmissionColor, FiltersWhatLiesBehind)
+{
+  AnalyticScene scene;
+  scene.Width = 40;
+  scene.Height = 30;
+  scene.Background = { { 102 / 255.0, 51 / 255.0, 153 / 255.0 } };
+  scene.Translucent = { { { 0, 0, 20, 30, 0.25, { { 0.2, 0, 0 } }, 0.5, { { 1, 1, 1 } } } },
+    { { 20, 0, 40, 30, 0.25, { { 0, 0, 0 } }, 1, { { 1, 0, 0.5 } } } } };
+  const Picture drawn = Draw(scene, New("exact"));
+  const auto at = [&drawn](int x) { return std::vector<double>(drawn.Rgb.begin() + 3 * x, drawn.Rgb.begin() + 3 * x + 3); };
+  const std::vector<double> adds{ 102 + 25.5, 51, 153 };
+  const std::vector<double> filters{ 102, 0, 76.5 };
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(at(10)[c], adds[c], 1);
+    EXPECT_NEAR(at(30)[c], filters[c], 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestTransmissionColor, OutsideItsRangeIsAnError)
+{
+  vtkNew<vtkActor> actor;
+  vtkTranslucencyPass::SetTransmissionColor(actor, 0.25, 0.5, 0.75);
+  for (double bad : { -0.1, 1.5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    vtkTranslucencyPass::SetTransmissionColor(actor, 0.5, bad, 0.5);
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find("expected three numbers from 0 to 1"), std::string::npos) << messages[0];
+  }
+  double color[3];
+  EXPECT_TRUE(vtkTranslucencyPass::GetTransmissionColor(actor, color));
+  EXPECT_EQ(color[0], 0.25);
+  EXPECT_EQ(color[1], 0.5);
+  EXPECT_EQ(color[2], 0.75);
+  EXPECT_TRUE(vtkTranslucencyPass::GetTransmissionColor(vtkNew<vtkActor>(), color));
+  EXPECT_EQ(color[1], 0);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestTransmissionColor, OfAKeySetByHandIsReportedOnce)
+{
+  const AnalyticScene scene = RandomLayers(40, 30, 1, 3, 0.2, 0.8).Transmitting(11);
+  View view(scene);
+  view.SetPass(New("exact"));
+  vtkActor* last = view.Renderer->GetActors()->GetLastActor();
+  last->GetPropertyKeys()->Set(vtkTranslucencyPass::TRANSMISSION_COLOR(), 2.0, -1.0, std::numeric_limits<double>::quiet_NaN());
+  const Picture drawn = view.Render();
+  view.Render();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("TRANSMISSION_COLOR"), std::string::npos) << messages[0];
+  vtkTranslucencyPass::SetTransmissionColor(last, 1, 0, 0);
+  EXPECT_EQ(Compare(drawn, view.Render()).Largest, 0);
+}
+
+//------------------------------------------------------------------------------
+// Of props that draw other props it is theirs.
+TEST_F(TestTransmissionColor, OfAssembliesAndLevelsOfDetail)
+{
+  AnalyticScene scene = RandomLayers(100, 75, 1, 1, 0.3, 0.5);
+  scene.Translucent[0][0].Transmission = { { 0.9, 0.3, 0.1 } };
+  const Picture expected = scene.Compute(Reference::CompositeExact);
+  for (const std::string kind : { "assembly", "lod" })
+  {
+    SCOPED_TRACE(kind);
+    View view(scene);
+    view.SetPass(New("exact"));
+    const vtkSmartPointer<vtkActor> actor = view.Renderer->GetActors()->GetLastActor();
+    view.Renderer->RemoveActor(actor);
+    vtkTranslucencyPass::SetTransmissionColor(actor, 0, 0, 0);
+    vtkSmartPointer<vtkProp> whole;
+    if (kind == "assembly")
+    {
+      auto assembly = vtkSmartPointer<vtkAssembly>::New();
+      assembly->AddPart(actor);
+      whole = assembly;
+    }
+    else
+    {
+      auto levels = vtkSmartPointer<vtkLODProp3D>::New();
+      levels->AddLOD(actor->GetMapper(), actor->GetProperty(), 0);
+      whole = levels;
+    }
+    vtkTranslucencyPass::SetTransmissionColor(whole, 0.9, 0.3, 0.1);
+    view.Renderer->AddViewProp(whole);
+    const PictureDifference difference = Compare(view.Render(), expected);
+    EXPECT_LE(difference.Largest, Bound) << difference;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Fragments that join neighbours in a multi-sampled window keep their three opacities; limits cut the picture into tiles.
+TEST_F(TestTransmissionColor, InTilesGivesTheSamePicture)
+{
+  const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8).Transmitting(12);
+  for (int samples : { 0, 4 })
+  {
+    const auto pass = New("exact");
+    View view(scene, samples);
+    view.SetPass(pass);
+    const Picture whole = view.Render();
+    EXPECT_TRUE(pass->SetOption("memory_limit", "1.5"));
+    EXPECT_EQ(Compare(whole, view.Render()).Largest, 0);
+    EXPECT_GT(pass->GetStatistics()->GetTiles(), 1);
+  }
+}
