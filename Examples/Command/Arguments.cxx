@@ -23,6 +23,7 @@ struct Written
   std::string Background;
   std::string Color;
   double Opacity = -1;
+  std::string Transmission;
   std::string Volume = "automatic";
   std::vector<double> Isovalues;
   int Levels = Input().Levels;
@@ -76,6 +77,10 @@ void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments)
   command->add_option("--color", written.Color, "colour of all: #rrggbb or a name")->group(look);
   command->add_option("--opacity", written.Opacity, "opacity of all, 0 to 1")
     ->check(NumberIn(0, 1, "0..1"))
+    ->group(look);
+  command->add_option("--transmission", written.Transmission,
+    "what surfaces let through of what lies behind them, besides what their opacity leaves free: a colour; red is a red filter, black "
+    "(the default) none")
     ->group(look);
   command
     ->add_option("--volume", written.Volume,
@@ -259,6 +264,10 @@ Input ToInput(const std::string& source, const Written& written)
   if (written.Opacity >= 0)
   {
     input.Opacity = written.Opacity;
+  }
+  if (!written.Transmission.empty())
+  {
+    input.Transmission = ParseColor("--transmission", written.Transmission);
   }
   input.Volume = written.Volume == "labels" ? Input::Meaning::Labels
     : written.Volume == "isosurfaces"       ? Input::Meaning::Isosurfaces

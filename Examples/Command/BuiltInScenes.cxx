@@ -45,7 +45,7 @@ void AddSpheres(const Input& input, const Specification& wanted, Scene& scene)
     sphere->Update();
     Part part = MakePart("sphere " + std::to_string(i), sphere->GetOutput());
     const Color color{ { random.Next(0.1, 1), random.Next(0.1, 1), random.Next(0.1, 1) } };
-    SetLook(part, input.Tint.value_or(color), input.Opacity.value_or(0.3));
+    SetLook(part, input.Tint.value_or(color), input.Opacity.value_or(0.3), input.Transmission);
     scene.Parts.push_back(part);
   }
 }
@@ -113,7 +113,9 @@ void AddRectangles(const Input& input, const Specification& wanted, Scene& scene
         255 * input.Opacity.value_or(random.Next(0.02, 0.3)) };
       rectangles.Add(x, y, z, w, h, color);
     }
-    scene.Parts.push_back(rectangles.Finish("rectangles " + std::to_string(mesh)));
+    const Part part = rectangles.Finish("rectangles " + std::to_string(mesh));
+    SetLook(part, { { 1, 1, 1 } }, 1, input.Transmission); // colour and opacity are the mesh's
+    scene.Parts.push_back(part);
   }
   scene.Eye.Position = { { width / 2, height / 2, 10 } };
   scene.Eye.Target = { { width / 2, height / 2, 0 } };

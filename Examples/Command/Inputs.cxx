@@ -46,7 +46,7 @@ void AddSurface(const Input& input, vtkPolyData* surface, double opacity, Scene&
   CheckSurface(input.Source, surface);
   Part part = MakePart(input.Source, WithNormals(surface));
   const Color color = input.Tint.value_or(DistinctColor(static_cast<int>(scene.Parts.size())));
-  SetLook(part, color, input.Opacity.value_or(opacity));
+  SetLook(part, color, input.Opacity.value_or(opacity), input.Transmission);
   scene.Parts.push_back(part);
 }
 
@@ -108,7 +108,7 @@ void AddActors(
     Color color;
     actor->GetProperty()->GetColor(color.data());
     SetLook(part, input.Tint.value_or(color),
-      input.Opacity.value_or(opaque ? MeshOpacity : actor->GetProperty()->GetOpacity()));
+      input.Opacity.value_or(opaque ? MeshOpacity : actor->GetProperty()->GetOpacity()), input.Transmission);
     scene.Parts.push_back(part);
   }
 }

@@ -17,6 +17,7 @@ struct LabelStyle
   std::string Name;
   std::optional<Color> Tint;
   std::optional<double> Opacity;
+  std::optional<Color> Transmission;
 };
 
 /// Tubes round streamlines. What is not set is chosen by the size of the data. Lengths are in the file's units.
@@ -42,6 +43,7 @@ struct Input
   std::string Source; ///< a file, or the name of a built-in scene: "scene:spheres:count=40"
   std::optional<Color> Tint;
   std::optional<double> Opacity;
+  std::optional<Color> Transmission; ///< what surfaces let through of what lies behind them; by default nothing
   Meaning Volume = Meaning::Automatic;
   std::vector<double> Isovalues;
   int Levels = 4;                         ///< isosurfaces where no Isovalues are given

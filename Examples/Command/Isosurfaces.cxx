@@ -150,7 +150,7 @@ int AddIsosurfaces(const Input& input, vtkDataSet* data, Scene& scene)
     const double depth = values.size() > 1 ? i / (values.size() - 1.0) : 0.5;
     Part part = MakePart(input.Source + ", " + name.str(), surface);
     const Color color = input.Tint.value_or(ShellColor(depth));
-    SetLook(part, color, input.Opacity.value_or(0.2 + 0.4 * depth));
+    SetLook(part, color, input.Opacity.value_or(0.2 + 0.4 * depth), input.Transmission);
     scene.Parts.push_back(part);
     ++surfaces;
   }

@@ -202,7 +202,8 @@ void AddLabels(const Input& input, vtkImageData* volume, Scene& scene)
       MakePart(input.Source + ", " + name, ExtractLabel(volume, label, box, input.Smoothing));
     const Color color = style.Tint ? *style.Tint : input.Tint.value_or(DistinctColor(index));
     SetLook(part, color,
-      style.Opacity ? *style.Opacity : input.Opacity.value_or(DefaultOpacity(box, largest)));
+      style.Opacity ? *style.Opacity : input.Opacity.value_or(DefaultOpacity(box, largest)),
+      style.Transmission ? style.Transmission : input.Transmission);
     scene.Parts.push_back(part);
     ++index;
   }

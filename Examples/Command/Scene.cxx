@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTranslucencyPass.h"
 
 #include <cmath>
 #include <regex>
@@ -66,10 +67,14 @@ Part MakePart(const std::string& name, vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-void SetLook(const Part& part, const Color& color, double opacity)
+void SetLook(const Part& part, const Color& color, double opacity, const std::optional<Color>& transmission)
 {
   part.Actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   part.Actor->GetProperty()->SetOpacity(opacity);
+  if (transmission)
+  {
+    vtkTranslucencyPass::SetTransmissionColor(part.Actor, (*transmission)[0], (*transmission)[1], (*transmission)[2]);
+  }
 }
 
 //------------------------------------------------------------------------------

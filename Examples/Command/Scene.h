@@ -71,8 +71,8 @@ Part MakePart(const std::string& name, vtkPolyData* surface);
 /// Throws Failure as MakePart does.
 void CheckSurface(const std::string& name, vtkPolyData* surface);
 
-/// Gives a part its colour and opacity.
-void SetLook(const Part& part, const Color& color, double opacity);
+/// Gives a part its colour, its opacity and what it lets through of what lies behind it.
+void SetLook(const Part& part, const Color& color, double opacity, const std::optional<Color>& transmission);
 
 /// Polygons of all parts as triangles.
 long long CountTriangles(const Scene& scene);

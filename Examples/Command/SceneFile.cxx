@@ -178,6 +178,7 @@ public:
     input.Source = builtIn ? source : (folder / source).string();
     input.Tint = this->ReadColor(json, "color");
     Set(json, "opacity", input.Opacity, ToNumber);
+    input.Transmission = this->ReadColor(json, "transmission");
     const std::string volume = json.value("volume", "automatic");
     input.Volume = volume == "labels" ? Input::Meaning::Labels
       : volume == "isosurfaces"       ? Input::Meaning::Isosurfaces
@@ -191,6 +192,7 @@ public:
       style.Name = label.value("name", "");
       style.Tint = this->ReadColor(label, "color");
       Set(label, "opacity", style.Opacity, ToNumber);
+      style.Transmission = this->ReadColor(label, "transmission");
     }
     Set(json, "streamtubes", input.Tubes, ReadStreamtubes);
     return input;

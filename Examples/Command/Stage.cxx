@@ -59,6 +59,9 @@ vtkSmartPointer<vtkActor> CopyActor(vtkActor* actor)
   mapper->vtkPolyDataMapper::ShallowCopy(
     actor->GetMapper()); // its OpenGL override warns of properties that it copies itself
   copy->SetMapper(mapper);
+  double transmission[3];
+  vtkTranslucencyPass::GetTransmissionColor(actor, transmission);
+  vtkTranslucencyPass::SetTransmissionColor(copy, transmission[0], transmission[1], transmission[2]);
   return copy;
 }
 }
@@ -113,9 +116,17 @@ int Stage::Add(const Scene& scene, const TechniqueChoice& technique)
   player.Renderer = vtkSmartPointer<vtkRenderer>::New();
   player.Renderer->SetBackground(scene.Background.data());
   player.Renderer->DrawOff();
+  bool transmits = false;
   for (const Part& part : scene.Parts)
   {
     player.Renderer->AddActor(CopyActor(part.Actor));
+    double transmission[3];
+    vtkTranslucencyPass::GetTransmissionColor(part.Actor, transmission);
+    transmits = transmits || transmission[0] > 0 || transmission[1] > 0 || transmission[2] > 0;
+  }
+  if (transmits && !vtkTranslucencyPass::SafeDownCast(player.Pass))
+  {
+    Messages::Get()->DisplayWarningText(("technique '" + technique.Label + "' draws without transmission colours").c_str());
   }
   for (const Light& light : scene.Lights)
   {

@@ -188,6 +188,6 @@ void AddStreamtubes(const Input& input, vtkDataSet* data, Scene& scene)
   tubes->Update();
   Part part = MakePart(input.Source + ", streamtubes", tubes->GetOutput());
   const Color color = input.Tint.value_or(DistinctColor(static_cast<int>(scene.Parts.size())));
-  SetLook(part, color, input.Opacity.value_or(0.6));
+  SetLook(part, color, input.Opacity.value_or(0.6), input.Transmission);
   scene.Parts.push_back(part);
 }

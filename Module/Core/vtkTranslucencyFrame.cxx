@@ -337,11 +337,11 @@ void vtkTranslucencyFrame::ChooseTransmission()
     const bool keeps = this->Pass->KeepsTransmissionColors();
     const std::string& lacking = kept.Capabilities.MissingForTransmission;
     this->Transmission = keeps && lacking.empty() ? Transmissions::Colored : Transmissions::Mean;
-    const std::string why = keeps ? "the driver lacks " + lacking : "with these options it keeps one transmittance, not three";
+    const std::string why = keeps ? "the driver lacks " + lacking : "as it is set, it keeps one transmittance, not three";
     if (this->Transmission == Transmissions::Mean && kept.MeanTransmission != why)
     {
       kept.MeanTransmission = why;
-      vtkWarningWithObjectMacro(this->Pass, << "the transmission colours of " << props << " props are taken by their mean: " << why);
+      vtkWarningWithObjectMacro(this->Pass, << this->Pass->GetClassName() << " takes the transmission colours of " << props << " props by their mean: " << why);
     }
   }
   if (!invalid.empty() && kept.InvalidTransmission != invalid)

@@ -339,6 +339,11 @@ void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double
       return;
     }
   }
+  double before[3];
+  if (GetTransmissionColor(prop, before) && before[0] == red && before[1] == green && before[2] == blue)
+  {
+    return;
+  }
   if (!prop->GetPropertyKeys())
   {
     vtkNew<vtkInformation> keys;

@@ -5,7 +5,7 @@ import json
 import os
 import pathlib
 
-from checks import fails, png_size, read_page, run, succeeds, writes_picture
+from checks import fails, png_size, read_page, run, succeeds, warns, writes_picture
 from inputs import SUFFIXES
 
 SMALL = ["--size", "40x30"]
@@ -140,6 +140,19 @@ def one_tube(file, speed, steps):
     return case
 
 
+def transmission_of_scene(command, folder):
+    """That of an actor and that of a label each change the picture."""
+    pictures = set()
+    for change in (lambda actors: None, lambda actors: actors[0].update(transmission="tomato"),
+                   lambda actors: actors[1]["labels"][0].update(transmission="tomato")):
+        scene = json.loads((folder / "scene.json").read_text())
+        change(scene["actors"])
+        (folder / "changed.json").write_text(json.dumps(scene))
+        succeeds(command, folder, ["render", "--scene", "changed.json", "--technique", "exact", "-o", "a.png"])
+        pictures.add((folder / "a.png").read_bytes())
+    assert len(pictures) == 3
+
+
 ROW_KEYS = {
     "technique", "name", "options", "help", "milliseconds", "ratio_to_blend", "gather_milliseconds",
     "resolve_milliseconds", "fragments", "deepest_pixel", "mebibytes", "tiles", "geometry_passes", "screen_passes",
@@ -268,6 +281,10 @@ CASES = {
     # the largest, and left out.
     "StreamtubesEndWhereSlow": one_tube("slowing.vti", 0.95, steps=1),
     "RenderOpacity": options_change_picture(["ok.vtp"], ["ok.vtp", "--opacity", "0.9"]),
+    "RenderTransmission": options_change_picture(["ok.vtp"], ["ok.vtp", "--transmission", "tomato"]),
+    "RenderTransmissionOfScene": transmission_of_scene,
+    "RenderTransmissionOfVtk": warns(["render", "ok.vtp", "--transmission", "red", "--technique", "blend", "-o", "a.png"],
+                                    "technique 'blend' draws without transmission colours"),
     "RenderColor": options_change_picture(["ok.vtp"], ["ok.vtp", "--color", "tomato"]),
     "RenderSamples": options_change_picture(["ok.vtp"], ["ok.vtp", "--samples", "4"]),
     "RenderBackground": options_change_picture(["ok.vtp"], ["ok.vtp", "--background", "#123"]),
@@ -314,6 +331,7 @@ CASES.update({
     "BadVolumeIsovalue": fails(render("ok.vti", "--isovalues", "1e9"), r"ok\.vti: has no surface to show"),
     "BadOpacityLarge": fails(render("ok.vtp", "--opacity", "1.5"), r"--opacity.*'1\.5', expected a number in 0\.\.1"),
     "BadOpacityNegative": fails(render("ok.vtp", "--opacity", "-0.1"), r"--opacity.*'-0\.1', expected a number in 0\.\.1"),
+    "BadTransmission": fails(render("ok.vtp", "--transmission", "#12"), r"--transmission is '#12', expected #rrggbb or"),
     "BadOpacityNan": fails(render("ok.vtp", "--opacity", "nan"), r"--opacity.*'nan', expected a number in 0\.\.1"),
     "BadColor": fails(render("ok.vtp", "--color", "reddish"), r"--color is 'reddish', expected #rrggbb or the name"),
     "BadBackground": fails(render("ok.vtp", "--background", "#12"), r"--background is '#12', expected #rrggbb"),
@@ -392,6 +410,8 @@ CASES.update({
     "BadSceneNoActors": scene_fails(put("actors", value=[]), r"at '/actors': is \[\], expected an array of one or more actors"),
     "BadSceneOpacity": scene_fails(put("actors", 0, "opacity", value=1.5), r"at '/actors/0/opacity': is 1\.5, expected a number from 0"),
     "BadSceneOpacityText": scene_fails(put("actors", 0, "opacity", value="half"), r"at '/actors/0/opacity': is \"half\", expected a number"),
+    "BadSceneTransmission": scene_fails(put("actors", 0, "transmission", value="reddish"), r"transmission is 'reddish', expected #rrggbb"),
+    "BadSceneTransmissionNumber": scene_fails(put("actors", 0, "transmission", value=0.5), r"at '/actors/0/transmission': is 0\.5, expected a colour"),
     "BadSceneColor": scene_fails(put("actors", 0, "color", value="reddish"), r"scene\.json: color is 'reddish', expected #rrggbb"),
     "BadSceneSize": scene_fails(put("size", value=[0, 10]), r"at '/size/0': is 0, expected"),
     "BadSceneSizeAboveLimit": scene_fails(put("size", value=[10, 999999]), r"size is 10x999999, expected at most"),

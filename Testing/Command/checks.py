@@ -33,6 +33,18 @@ def fails(arguments, expected, environment=None):
     return case
 
 
+def warns(arguments, expected):
+    """The command succeeds, and says one line that expected is found in."""
+
+    def case(command, folder):
+        result = run(command, folder, arguments)
+        assert result.returncode == 0, f"exit code {result.returncode}, stderr: {result.stderr}"
+        lines = result.stderr.splitlines()
+        assert len(lines) == 1 and re.search(expected, lines[0]), f"expected {expected!r}, got {result.stderr!r}"
+
+    return case
+
+
 def succeeds(command, folder, arguments, environment=None):
     """What the command prints; it has to say nothing on stderr."""
     result = run(command, folder, arguments, environment)

@@ -150,7 +150,7 @@ TEST_P(TestMeanTransmission, OfTechniquesWithOneTransmittance)
   view.Render();
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("transmission colours of 3 props are taken by their mean"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find("takes the transmission colours of 3 props by their mean"), std::string::npos) << messages[0];
 
   AnalyticScene mean = scene.MeanTransmission();
   for (Layer& layer : mean.Translucent)

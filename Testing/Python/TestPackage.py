@@ -159,6 +159,17 @@ class TestTables(unittest.TestCase):
                 self.assertEqual(technique_pass.GetOption(keyword), value)
 
 
+class TestTransmission(unittest.TestCase):
+    def test_color(self):
+        actor = vtkActor()
+        vtktranslucency.vtkTranslucencyPass.SetTransmissionColor(actor, 1, 0.5, 0.25)
+        color = [0, 0, 0]
+        self.assertTrue(vtktranslucency.vtkTranslucencyPass.GetTransmissionColor(actor, color))
+        self.assertEqual(color, [1, 0.5, 0.25])
+        key = vtktranslucency.vtkTranslucencyPass.TRANSMISSION_COLOR()
+        self.assertEqual(actor.GetPropertyKeys().Get(key), (1, 0.5, 0.25))
+
+
 class TestStatistics(unittest.TestCase):
     def test_of_a_frame(self):
         for technique in ("exact", "adaptive"):
