@@ -92,6 +92,7 @@ void AddCounts(const FrameStatistics& statistics, Json& row)
   row["geometry_passes"] = known ? Json(statistics.GeometryPasses) : Json();
   row["screen_passes"] = known ? Json(statistics.ScreenPasses) : Json();
   row["shader_builds"] = known ? Json(statistics.ShaderBuilds) : Json();
+  row["transmittances"] = known ? Json(statistics.Transmittances) : Json();
   row["chosen"] = statistics.Chosen.empty() ? Json() : Json(statistics.Chosen);
   row["reason"] = statistics.Reason.empty() ? Json() : Json(statistics.Reason);
   row["fallback"] = statistics.Fallback.empty() ? Json() : Json(statistics.Fallback);

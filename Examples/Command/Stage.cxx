@@ -210,6 +210,7 @@ FrameStatistics Stage::GetStatistics(int technique)
     statistics.GeometryPasses = from->GetGeometryPasses();
     statistics.ScreenPasses = from->GetScreenPasses();
     statistics.ShaderBuilds = from->GetShaderBuilds();
+    statistics.Transmittances = CountTransmittances(pass);
   }
   if (auto* automatic = vtkAutomaticTransparencyPass::SafeDownCast(pass))
   {

@@ -34,6 +34,7 @@ struct FrameStatistics
   int GeometryPasses = 0;
   int ScreenPasses = 0;
   int ShaderBuilds = 0;
+  int Transmittances = 0; ///< that the technique, as it is set, keeps for transmission colours: 3, or 1 for their mean
   std::string Chosen;   ///< by a technique that chooses among others, which one, as Techniques.h writes it,
   std::string Reason;   ///< and why; empty for all others
   std::string Fallback; ///< what was drawn instead, if the driver could not run the technique

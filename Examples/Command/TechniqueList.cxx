@@ -5,12 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <sstream>
+#include <string>
 
 namespace
 {
 using Json = nlohmann::ordered_json;
 using Kind = vtkTranslucencyOption::Kind;
+
+const std::map<int, std::string> Transmissions{ { 3, "red, green and blue" }, { 1, "their mean" }, { 0, "ignored" } };
 
 Json OptionToJson(const vtkTranslucencyOption& option)
 {
@@ -49,6 +53,7 @@ std::string ToJsonText(const std::vector<TechniqueInfo>& techniques, Stage& stag
     entry["help"] = technique.Help;
     entry["runs"] = missing.empty();
     entry["missing"] = missing.empty() ? Json() : Json(missing);
+    entry["transmittances"] = technique.Transmittances;
     entry["options"] = Json::array();
     for (const vtkTranslucencyOption& option : technique.Options)
     {
@@ -75,6 +80,7 @@ std::string TechniqueListText(bool json)
   {
     const std::string missing = stage.GetMissing(technique.Name);
     out << "\n" << technique.Name << "\n  " << technique.Help << "\n";
+    out << "  transmission colours: " << Transmissions.at(technique.Transmittances) << "\n";
     if (!missing.empty())
     {
       out << "  does not run here: the driver lacks " << missing << "\n";

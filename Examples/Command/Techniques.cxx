@@ -69,10 +69,19 @@ std::vector<TechniqueInfo> ListTechniques()
     TechniqueInfo technique;
     technique.Name = vtkTranslucencyFactory::GetTechniqueName(i);
     technique.Help = vtkTranslucencyFactory::GetTechniqueHelp(i);
-    technique.Options = OptionsOf(NewPass(technique.Name));
+    const auto pass = NewPass(technique.Name);
+    technique.Transmittances = CountTransmittances(pass);
+    technique.Options = OptionsOf(pass);
     techniques.push_back(technique);
   }
   return techniques;
+}
+
+//------------------------------------------------------------------------------
+int CountTransmittances(vtkRenderPass* pass)
+{
+  auto* technique = vtkTranslucencyPass::SafeDownCast(pass);
+  return !technique ? 0 : technique->KeepsTransmissionColors() ? 3 : 1;
 }
 
 //------------------------------------------------------------------------------

@@ -46,6 +46,8 @@ def list_json(command, folder):
     assert listed["driver"] and {"exact", "adaptive", "blend"} <= techniques.keys()
     nodes = {option["keyword"]: option for option in techniques["adaptive"]["options"]}["nodes"]
     assert (nodes["flag"], nodes["minimum"], nodes["maximum"], nodes["default"]) == ("--nodes", 1, 64, "16")
+    transmittances = {name: techniques[name]["transmittances"] for name in ("exact", "screendoor", "blend")}
+    assert transmittances == {"exact": 3, "screendoor": 1, "blend": 0}, transmittances
     assert all(technique["help"] and isinstance(technique["runs"], bool) for technique in techniques.values())
 
 
@@ -156,7 +158,7 @@ def transmission_of_scene(command, folder):
 ROW_KEYS = {
     "technique", "name", "options", "help", "milliseconds", "ratio_to_blend", "gather_milliseconds",
     "resolve_milliseconds", "fragments", "deepest_pixel", "mebibytes", "tiles", "geometry_passes", "screen_passes",
-    "shader_builds", "chosen", "reason", "fallback"}
+    "shader_builds", "transmittances", "chosen", "reason", "fallback"}
 DIFFERENCE_KEYS = {"rmse", "psnr", "largest_difference", "picture", "difference_picture"}
 REPORT_KEYS = {"kind", "title", "inputs", "size", "samples", "driver", "actors", "triangles", "frames", "warmup", "techniques"}
 
