@@ -9,6 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTranslucencyCapabilities.h>
+#include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
 
@@ -18,6 +19,7 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace
 {
@@ -210,7 +212,7 @@ Picture TriangleScene::Compute(const Compositor& composite, const std::vector<Po
         const Reference::Color color = composite(fragments).Over(behind);
         for (int channel = 0; channel < 3; ++channel)
         {
-          mean[channel] += 255 * color[channel] / static_cast<double>(samples.size());
+          mean[channel] += 255 * std::min(color[channel], 1.0) / static_cast<double>(samples.size()); // as bytes hold it
         }
       }
       picture.Rgb.insert(picture.Rgb.end(), mean.begin(), mean.end());
@@ -255,7 +257,7 @@ struct Sampling
 {
   std::string Name;
   int Samples;
-  std::function<vtkSmartPointer<vtkFragmentListPass>()> New;
+  std::function<vtkSmartPointer<vtkTranslucencyPass>()> New;
   Compositor Composite;
   TriangleScene Scene;
 };
@@ -302,7 +304,7 @@ TEST_P(TestMultiSampling, IsTheMeanOfTheSamples)
 namespace
 {
 template <typename Pass>
-std::function<vtkSmartPointer<vtkFragmentListPass>()> New(
+std::function<vtkSmartPointer<vtkTranslucencyPass>()> New(
   const std::function<void(Pass*)>& arrange = nullptr)
 {
   return [arrange]
@@ -312,8 +314,69 @@ std::function<vtkSmartPointer<vtkFragmentListPass>()> New(
     {
       arrange(pass);
     }
-    return vtkSmartPointer<vtkFragmentListPass>(pass);
+    return vtkSmartPointer<vtkTranslucencyPass>(pass);
   };
+}
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+std::function<vtkSmartPointer<vtkTranslucencyPass>()> New(const std::string& technique, const Settings& options)
+{
+  return [=]
+  {
+    auto pass = vtkSmartPointer<vtkTranslucencyPass>::Take(
+      vtkTranslucencyPass::SafeDownCast(vtkTranslucencyFactory::CreateTechnique(technique)));
+    for (const auto& option : options)
+    {
+      EXPECT_TRUE(pass->SetOption(option.first, option.second)) << option.first << "=" << option.second;
+    }
+    return pass;
+  };
+}
+
+Compositor Layers(int count, Reference::Tail tail)
+{
+  return [=](const std::vector<Reference::Fragment>& fragments) { return Reference::CompositeLayers(fragments, count, tail); };
+}
+
+// Techniques without lists: each sample has a record, or a value of each target, of its own.
+std::vector<Sampling> SamplingsWithoutLists(const TriangleScene& few, const TriangleScene& mosaic)
+{
+  using Reference::Tail;
+  std::vector<Sampling> samplings;
+  for (int samples : { 2, 4, 8 })
+  {
+    const auto add = [&](const std::string& name, const std::string& technique, const Settings& options, const Compositor& composite)
+    {
+      const std::string suffix = std::to_string(samples);
+      samplings.push_back({ name + suffix, samples, New(technique, options), composite, few });
+      samplings.push_back({ name + "Mosaic" + suffix, samples, New(technique, options), composite, mosaic });
+    };
+    add("Peel", "peel", {}, Reference::CompositeExact);
+    add("PeelFrontToBack", "peel", { { "method", "front-to-back" } }, Reference::CompositeExact);
+    add("Mlab32", "mlab", { { "layers", "32" } }, Reference::CompositeExact);
+    add("Mlab2", "mlab", { { "layers", "2" } }, Layers(2, Tail::Merge));
+    add("KBuffer2", "kbuffer", { { "layers", "2" } }, Layers(2, Tail::Drop));
+    add("Hybrid2", "hybrid", { { "layers", "2" } }, Layers(2, Tail::Average));
+    add("AdaptiveFixed4", "adaptive", { { "memory", "fixed" }, { "nodes", "4" } },
+      [](std::vector<Reference::Fragment> fragments)
+      {
+        std::reverse(fragments.begin(), fragments.end());
+        return Reference::CompositeAdaptive(fragments, 4, Reference::Removal::Underestimate);
+      });
+    add("WeightedSum", "weighted", { { "method", "sum" } }, Reference::CompositeWeightedSum);
+    add("WeightedAverage", "weighted", { { "method", "average" } }, Reference::CompositeWeightedAverage);
+    for (const char* memory : { "Fixed", "Variable" })
+    {
+      add("ShadowMap" + std::string(memory), "shadowmap", { { "memory", memory[0] == 'F' ? "fixed" : "variable" }, { "slices", "8" } },
+        [](const std::vector<Reference::Fragment>& fragments)
+        {
+          const auto share = [](double at, double before) { return Reference::SliceShare(8, at, before); };
+          return Reference::CompositeAbsorbance(fragments, share, {}, true);
+        });
+    }
+  }
+  return samplings;
 }
 
 std::vector<Sampling> Samplings()
@@ -359,6 +422,8 @@ std::vector<Sampling> Samplings()
         [](vtkAdaptiveTransparencyPass* pass) { pass->SetNodeCount(4); }),
       AdaptiveCompositor(4, Reference::Removal::Underestimate), few });
   }
+  const std::vector<Sampling> others = SamplingsWithoutLists(few, mosaic);
+  samplings.insert(samplings.end(), others.begin(), others.end());
   return samplings;
 }
 }
