@@ -26,25 +26,8 @@ vtkAdaptiveTransparencyPass::~vtkAdaptiveTransparencyPass()
 void vtkAdaptiveTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Memory: " << (this->Memory == Fixed ? "Fixed" : "Variable") << "\n";
   os << indent << "NodeCount: " << this->NodeCount << "\n";
   os << indent << "NodeRemoval: " << Removals[this->NodeRemoval] << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkAdaptiveTransparencyPass::SetMemory(int memory)
-{
-  if (memory != Variable && memory != Fixed)
-  {
-    vtkErrorMacro(<< "Memory is " << memory << ", expected Variable (0) or Fixed (1)");
-    return;
-  }
-  if (this->Memory != memory)
-  {
-    this->ReleaseGraphicsResources(nullptr); // what the other one holds
-    this->Memory = memory;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -92,11 +75,7 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
       "how a full visibility function loses a node; underestimate looks best",
       [this] { return this->GetNodeRemoval(); },
       [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } },
-    { "Memory", "memory", Kind::Choice, Variable, 0, 1, { "variable", "fixed" },
-      "variable keeps all fragments and compresses them in the end; fixed compresses each as it is drawn, in two drawings of the geometry",
-      [this] { return this->GetMemory(); },
-      [this](double value) { this->SetMemory(static_cast<int>(value)); } },
-    this->GetCriticalSectionOption()
+    this->GetMemoryOption(), this->GetCriticalSectionOption()
   };
   for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
   {
@@ -113,12 +92,8 @@ std::string vtkAdaptiveTransparencyPass::GetMissing(vtkOpenGLRenderWindow* windo
 }
 
 //------------------------------------------------------------------------------
-bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
+bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
 {
-  if (this->Memory == Variable)
-  {
-    return this->Superclass::RenderStages(frame);
-  }
   constexpr int wordsOfNode = 2; // Adaptive/Gather.glsl
   vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl",
     { { "NODE_COUNT", std::to_string(this->NodeCount) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } }, 1 };

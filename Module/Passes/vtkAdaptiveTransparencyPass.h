@@ -37,15 +37,15 @@
 #ifndef vtkAdaptiveTransparencyPass_h
 #define vtkAdaptiveTransparencyPass_h
 
-#include "vtkFragmentListPass.h"
 #include "vtkTranslucencyPixels.h"  // for Functions
 #include "vtkTranslucencyTargets.h" // for Colors
+#include "vtkVisibilityFunctionPass.h"
 
-class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkFragmentListPass
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkVisibilityFunctionPass
 {
 public:
   static vtkAdaptiveTransparencyPass* New();
-  vtkTypeMacro(vtkAdaptiveTransparencyPass, vtkFragmentListPass);
+  vtkTypeMacro(vtkAdaptiveTransparencyPass, vtkVisibilityFunctionPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum NodeRemovalType
@@ -54,21 +54,6 @@ public:
     Overestimate = 1,
     Mixed = 2
   };
-
-  enum MemoryType
-  {
-    Variable = 0,
-    Fixed = 1
-  };
-
-  ///@{
-  /**
-   * Whether all fragments are kept and compressed in the end (Variable, the default), or each as it is drawn (Fixed). Another value is
-   * an error and changes nothing.
-   */
-  void SetMemory(int memory);
-  vtkGetMacro(Memory, int);
-  ///@}
 
   ///@{
   /**
@@ -97,13 +82,11 @@ protected:
   vtkAdaptiveTransparencyPass() = default;
   ~vtkAdaptiveTransparencyPass() override;
 
-  bool DividesVolumes() const override { return this->Memory == Variable; }
-  bool RenderStages(vtkTranslucencyFrame& frame) override;
+  bool RenderFixed(vtkTranslucencyFrame& frame) override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
-  int Memory = Variable;
   int NodeCount = 16;
   int NodeRemoval = Underestimate;
 
