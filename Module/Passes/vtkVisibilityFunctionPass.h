@@ -29,7 +29,7 @@ public:
    * does to the functions and the colours, and the geometry is drawn twice or more often. What the other one holds is released. Another value is
    * an error and changes nothing.
    */
-  void SetMemory(int memory);
+  virtual void SetMemory(int memory);
   vtkGetMacro(Memory, int);
   ///@}
 
