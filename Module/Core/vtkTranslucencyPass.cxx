@@ -219,7 +219,7 @@ bool vtkTranslucencyPass::SetOption(const std::string& keyword, const std::strin
         return false;
       }
       option.Set(number);
-      return true;
+      return option.Get() == number; // if not, the property has said why
     }
     known += (known.empty() ? "" : ", ") + option.Keyword;
   }

@@ -6,7 +6,6 @@
 
 namespace
 {
-const char* const Memories[] = { "fixed", "variable" };
 const char* const BoundsDefines[] = { "ABSORBANCE_BOUNDS_FRAGMENTS", "ABSORBANCE_BOUNDS_PROPS" };
 constexpr int TermsOfVector = 4;
 }
@@ -21,25 +20,8 @@ vtkAbsorbancePass::~vtkAbsorbancePass()
 void vtkAbsorbancePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Memory: " << Memories[this->Memory] << "\n";
   os << indent << "Bounds: " << BoundsDefines[this->Bounds] << "\n";
   os << indent << "AlphaCorrection: " << this->AlphaCorrection << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkAbsorbancePass::SetMemory(int memory)
-{
-  if (memory < Fixed || memory > Variable)
-  {
-    vtkErrorMacro(<< "Memory is " << memory << ", expected Fixed (0) or Variable (1)");
-    return;
-  }
-  if (this->Memory != memory)
-  {
-    this->ReleaseGraphicsResources(nullptr); // what the other one holds
-    this->Memory = memory;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -72,10 +54,7 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   std::vector<vtkTranslucencyOption> options{
-    { "Memory", "memory", Kind::Choice, Variable, 0, 1, { "fixed", "variable" },
-      "fixed draws the geometry twice and takes the same memory for any number of fragments; variable draws it once and keeps all fragments",
-      [this] { return this->GetMemory(); },
-      [this](double value) { this->SetMemory(static_cast<int>(value)); } },
+    this->GetMemoryOption(),
     { "Bounds", "bounds", Kind::Choice, Fragments, 0, 1, { "fragments", "props" },
       "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, or that of all props",
       [this] { return this->GetBounds(); },
@@ -126,12 +105,6 @@ std::vector<int> vtkAbsorbancePass::GetTermFormats() const
   std::vector<int> formats((this->GetTermCount() - 1) / TermsOfVector, TermsOfVector);
   formats.push_back(rest == 3 ? TermsOfVector : rest);
   return formats;
-}
-
-//------------------------------------------------------------------------------
-bool vtkAbsorbancePass::RenderStages(vtkTranslucencyFrame& frame)
-{
-  return this->Memory == Fixed ? this->RenderFixed(frame) : this->Superclass::RenderStages(frame);
 }
 
 //------------------------------------------------------------------------------

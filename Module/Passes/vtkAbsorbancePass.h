@@ -17,8 +17,8 @@
  *    weights (4 bytes);
  * 3. composite.
  *
- * Memory Variable: one drawing of the geometry into the storage, and one full-screen pass that walks a pixel's list for the bounds, the
- * sums, and the colours. The sums are in registers and take no memory.
+ * Memory Variable (the default): one drawing of the geometry into the storage, and one full-screen pass that walks a pixel's list for the bounds, the
+ * sums, and the colours. The sums are in registers and take no memory. The storage and its options are used by Variable only.
  *
  * Both draw the same picture, but for the rounding of stored colours. Volumes are divided at surfaces by Variable only. Lists too long for a driver's
  * loops (some 20,000 fragments of a pixel) are sorted and drawn exactly.
@@ -41,29 +41,14 @@
 #ifndef vtkAbsorbancePass_h
 #define vtkAbsorbancePass_h
 
-#include "vtkFragmentListPass.h"
 #include "vtkTranslucencyTargets.h" // for DepthBounds, Terms, Colors
+#include "vtkVisibilityFunctionPass.h"
 
-class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAbsorbancePass : public vtkFragmentListPass
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAbsorbancePass : public vtkVisibilityFunctionPass
 {
 public:
-  vtkTypeMacro(vtkAbsorbancePass, vtkFragmentListPass);
+  vtkTypeMacro(vtkAbsorbancePass, vtkVisibilityFunctionPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum MemoryType
-  {
-    Fixed = 0,
-    Variable = 1
-  };
-
-  ///@{
-  /**
-   * Fixed or Variable (the default), see above. What the other one holds is released. Another value is an error and changes nothing. The
-   * storage and its options are used by Variable only.
-   */
-  void SetMemory(int memory);
-  vtkGetMacro(Memory, int);
-  ///@}
 
   enum BoundsType
   {
@@ -107,18 +92,15 @@ protected:
   virtual vtkTranslucencyFrame::Defines GetTermDefines() const = 0;
   virtual int GetTermCount() const = 0;
 
-  bool DividesVolumes() const override { return this->Memory == Variable; }
-  bool RenderStages(vtkTranslucencyFrame& frame) override;
+  bool RenderFixed(vtkTranslucencyFrame& frame) override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
-  int Memory = Variable;
   int Bounds = Fragments;
   bool AlphaCorrection = true;
 
 private:
-  bool RenderFixed(vtkTranslucencyFrame& frame);
   vtkTranslucencyFrame::Defines GetDefines() const;
   vtkTranslucencyFrame::Uniforms GetRange(const vtkTranslucencyFrame& frame) const;
   std::vector<int> GetTermFormats() const;

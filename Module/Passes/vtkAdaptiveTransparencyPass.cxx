@@ -5,6 +5,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkAdaptiveTransparencyPass);
 
 namespace
@@ -14,6 +16,7 @@ constexpr int MostNodes = 64;
 
 const char* const Removals[] = { "NODE_REMOVAL_UNDERESTIMATE", "NODE_REMOVAL_OVERESTIMATE",
   "NODE_REMOVAL_MIXED" };
+const char* const Shows[] = { "SHOW_PICTURE", "SHOW_ERROR", "SHOW_NODES" };
 }
 
 //------------------------------------------------------------------------------
@@ -26,25 +29,10 @@ vtkAdaptiveTransparencyPass::~vtkAdaptiveTransparencyPass()
 void vtkAdaptiveTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Memory: " << (this->Memory == Fixed ? "Fixed" : "Variable") << "\n";
   os << indent << "NodeCount: " << this->NodeCount << "\n";
   os << indent << "NodeRemoval: " << Removals[this->NodeRemoval] << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkAdaptiveTransparencyPass::SetMemory(int memory)
-{
-  if (memory != Variable && memory != Fixed)
-  {
-    vtkErrorMacro(<< "Memory is " << memory << ", expected Variable (0) or Fixed (1)");
-    return;
-  }
-  if (this->Memory != memory)
-  {
-    this->ReleaseGraphicsResources(nullptr); // what the other one holds
-    this->Memory = memory;
-    this->Modified();
-  }
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Show: " << Shows[this->Show] << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +67,52 @@ void vtkAdaptiveTransparencyPass::SetNodeRemoval(int removal)
 }
 
 //------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::SetTolerance(double tolerance)
+{
+  if (!(tolerance >= 0 && tolerance <= 1))
+  {
+    vtkErrorMacro(<< "Tolerance is " << tolerance << ", expected 0 to 1");
+    return;
+  }
+  if (tolerance > 0 && this->Memory == Fixed)
+  {
+    vtkErrorMacro(<< "Tolerance is " << tolerance << ", expected 0 while Memory is Fixed");
+    return;
+  }
+  if (this->Tolerance != tolerance)
+  {
+    this->Tolerance = tolerance;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::SetMemory(int memory)
+{
+  if (memory == Fixed && this->Tolerance > 0)
+  {
+    vtkErrorMacro(<< "Memory is Fixed (1), expected Variable (0) while Tolerance is " << this->Tolerance);
+    return;
+  }
+  this->Superclass::SetMemory(memory);
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::SetShow(int show)
+{
+  if (show < Picture || show > Nodes)
+  {
+    vtkErrorMacro(<< "Show is " << show << ", expected Picture (0), Error (1) or Nodes (2)");
+    return;
+  }
+  if (this->Show != show)
+  {
+    this->Show = show;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
@@ -92,11 +126,15 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
       "how a full visibility function loses a node; underestimate looks best",
       [this] { return this->GetNodeRemoval(); },
       [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } },
-    { "Memory", "memory", Kind::Choice, Variable, 0, 1, { "variable", "fixed" },
-      "variable keeps all fragments and compresses them in the end; fixed compresses each as it is drawn, in two drawings of the geometry",
-      [this] { return this->GetMemory(); },
-      [this](double value) { this->SetMemory(static_cast<int>(value)); } },
-    this->GetCriticalSectionOption()
+    { "Tolerance", "tolerance", Kind::Real, 0, 0, 1, {},
+      "pixels whose estimated error is greater take more than 'nodes' nodes: the mean error of transmittance over a pixel's depths; 0 sets no limit; "
+      "not in fixed memory",
+      [this] { return this->GetTolerance(); }, [this](double value) { this->SetTolerance(value); } },
+    { "Show", "show", Kind::Choice, Picture, 0, 2, { "picture", "error", "nodes" },
+      "error draws the estimated error of each pixel, white where it reaches the tolerance (0.1 if that is 0); nodes the nodes it uses, white "
+      "where it is 64 or all fragments were sorted",
+      [this] { return this->GetShow(); }, [this](double value) { this->SetShow(static_cast<int>(value)); } },
+    this->GetMemoryOption(), this->GetCriticalSectionOption()
   };
   for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
   {
@@ -113,15 +151,31 @@ std::string vtkAdaptiveTransparencyPass::GetMissing(vtkOpenGLRenderWindow* windo
 }
 
 //------------------------------------------------------------------------------
-bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
+vtkTranslucencyFrame::Defines vtkAdaptiveTransparencyPass::GetDefines(int nodes) const
 {
-  if (this->Memory == Variable)
+  return { { "NODE_COUNT", std::to_string(nodes) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } };
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::Uniforms vtkAdaptiveTransparencyPass::GetWhite() const
+{
+  if (this->Show != Error)
   {
-    return this->Superclass::RenderStages(frame);
+    return {};
   }
-  constexpr int wordsOfNode = 2; // Adaptive/Gather.glsl
-  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl",
-    { { "NODE_COUNT", std::to_string(this->NodeCount) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } }, 1 };
+  return { { "errorWhite", static_cast<float>(this->Tolerance > 0 ? this->Tolerance : DefaultWhite) } };
+}
+
+//------------------------------------------------------------------------------
+bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
+{
+  // Adaptive/Record.glsl
+  constexpr int wordsOfNode = 2;
+  constexpr int wordsOfEstimate = 3;
+  const int words = this->NodeCount * wordsOfNode + (this->Show == Error ? wordsOfEstimate : 0);
+  vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
+  defines["ESTIMATE_ERROR"] = this->Show == Error ? "1" : "0";
+  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, 1 };
   gathering.Critical = true;
   const vtkTranslucencyFrame::Stage visibility;
   vtkTranslucencyFrame::Stage shading;
@@ -129,8 +183,17 @@ bool vtkAdaptiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
   shading.Targets = &this->Colors;
   shading.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
   shading.Clear = { { 0, 0, 0, 1 } };
-  return frame.UsePixels(this->Functions, this->NodeCount * wordsOfNode, this->Storage->GetMemoryLimit()) &&
-    frame.UseTargets(this->Colors, { 4 }) && frame.Draw(gathering, visibility) && frame.Draw(gathering, shading) &&
+  if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit()) || !frame.UseTargets(this->Colors, { 4 }) ||
+    !frame.Draw(gathering, visibility))
+  {
+    return false;
+  }
+  if (this->Show != Picture)
+  {
+    defines["SHOW"] = Shows[this->Show];
+    return frame.Composite("Adaptive/ShowFixed.glsl", defines, {}, this->GetWhite());
+  }
+  return frame.Draw(gathering, shading) &&
     frame.Composite("Common/CompositeColors.glsl", {}, { { "gatheredColors", &this->Colors, 0 } });
 }
 
@@ -153,15 +216,18 @@ bool vtkAdaptiveTransparencyPass::ResolveLists(vtkTranslucencyFrame& frame)
 {
   // A list of no more fragments than nodes needs no compression: it is exact, and sorting it takes fewer steps.
   vtkTranslucencyFrame::Squares rest;
-  if (!this->ResolveShortLists(frame, this->NodeCount, Technique, rest))
+  if (this->Show == Picture && !this->ResolveShortLists(frame, this->NodeCount, Technique, rest))
   {
     return false;
   }
-  vtkTranslucencyFrame::Defines defines{ { "NODE_COUNT", std::to_string(this->NodeCount) },
-    { "NODE_REMOVAL", Removals[this->NodeRemoval] }, { "EQUAL_DEPTHS", "0" },
-    { "EQUAL_DEPTHS_LEVEL", LevelText(TechniqueMore) },
-    { "UNFINISHED_LEVEL", LevelText(Long) } };
-  if (!frame.Resolve("Adaptive/Resolve.glsl", defines, rest))
+  if (this->Tolerance > 0)
+  {
+    return this->ResolveToTolerance(frame, rest) && this->ResolveExactly(frame);
+  }
+  vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
+  defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(TechniqueMore) }, { "UNFINISHED_LEVEL", LevelText(Long) },
+    { "TOLERANCE", "0" }, { "SHOW", Shows[this->Show] } });
+  if (!frame.Resolve("Adaptive/Resolve.glsl", defines, rest, this->GetWhite()))
   {
     return false;
   }
@@ -169,10 +235,49 @@ bool vtkAdaptiveTransparencyPass::ResolveLists(vtkTranslucencyFrame& frame)
   {
     defines["EQUAL_DEPTHS"] = "1";
     const auto left = vtkTranslucencyFrame::Squares::LeftTo(TechniqueMore);
-    if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left))
+    if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left, this->GetWhite()))
     {
       return false;
     }
   }
-  return this->ResolveLeftLists(frame);
+  return this->ResolveExactly(frame);
+}
+
+//------------------------------------------------------------------------------
+// Each step has twice the nodes of the one before, and draws what that has left. Between fragments of equal depth there is no area to lose:
+// pixels that have such are sorted, whatever the estimate.
+bool vtkAdaptiveTransparencyPass::ResolveToTolerance(vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& squares)
+{
+  vtkTranslucencyFrame::Uniforms uniforms = this->GetWhite();
+  uniforms["errorTolerance"] = static_cast<float>(this->Tolerance);
+  vtkTranslucencyFrame::Squares left = squares;
+  int nodes = this->NodeCount;
+  for (int finer = TechniqueMore;; ++finer)
+  {
+    const bool last = nodes == MostNodes;
+    vtkTranslucencyFrame::Defines defines = this->GetDefines(nodes);
+    defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(Long) }, { "UNFINISHED_LEVEL", LevelText(Long) },
+      { "TOLERANCE", "1" }, { "FINER_LEVEL", LevelText(last ? Long : finer) }, { "SHOW", Shows[this->Show] } });
+    if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left, uniforms))
+    {
+      return false;
+    }
+    if (last || !frame.IsLeftTo(finer))
+    {
+      return true;
+    }
+    left = vtkTranslucencyFrame::Squares::LeftTo(finer);
+    nodes = std::min(2 * nodes, MostNodes);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkAdaptiveTransparencyPass::ResolveExactly(vtkTranslucencyFrame& frame)
+{
+  if (this->Show == Picture)
+  {
+    return this->ResolveLeftLists(frame);
+  }
+  return !frame.IsLeftTo(Long) ||
+    frame.Resolve("Adaptive/ShowSorted.glsl", { { "SHOW", Shows[this->Show] } }, vtkTranslucencyFrame::Squares::LeftTo(Long), this->GetWhite());
 }

@@ -37,15 +37,15 @@
 #ifndef vtkAdaptiveTransparencyPass_h
 #define vtkAdaptiveTransparencyPass_h
 
-#include "vtkFragmentListPass.h"
 #include "vtkTranslucencyPixels.h"  // for Functions
 #include "vtkTranslucencyTargets.h" // for Colors
+#include "vtkVisibilityFunctionPass.h"
 
-class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkFragmentListPass
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkVisibilityFunctionPass
 {
 public:
   static vtkAdaptiveTransparencyPass* New();
-  vtkTypeMacro(vtkAdaptiveTransparencyPass, vtkFragmentListPass);
+  vtkTypeMacro(vtkAdaptiveTransparencyPass, vtkVisibilityFunctionPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum NodeRemovalType
@@ -54,21 +54,6 @@ public:
     Overestimate = 1,
     Mixed = 2
   };
-
-  enum MemoryType
-  {
-    Variable = 0,
-    Fixed = 1
-  };
-
-  ///@{
-  /**
-   * Whether all fragments are kept and compressed in the end (Variable, the default), or each as it is drawn (Fixed). Another value is
-   * an error and changes nothing.
-   */
-  void SetMemory(int memory);
-  vtkGetMacro(Memory, int);
-  ///@}
 
   ///@{
   /**
@@ -90,6 +75,39 @@ public:
   vtkGetMacro(NodeRemoval, int);
   ///@}
 
+  ///@{
+  /**
+   * What a pixel's error may be, as its estimate tells (see above), 0 to 1. 0, the default, sets no limit: every pixel has NodeCount nodes. Else
+   * pixels start with NodeCount nodes, and those with a larger estimate are drawn anew with twice as many, up to 64, and then exactly, by sorting
+   * their fragments. The smaller NodeCount is, the fewer nodes most pixels take. Only where Memory is Variable: in fixed memory a pixel can't be
+   * drawn anew. Together with that, or outside its range, a value is an error and changes nothing.
+   */
+  void SetTolerance(double tolerance);
+  vtkGetMacro(Tolerance, double);
+  void SetMemory(int memory) override;
+  ///@}
+
+  enum ShowType
+  {
+    Picture = 0,
+    Error = 1,
+    Nodes = 2
+  };
+
+  ///@{
+  /**
+   * What is drawn where there are translucent fragments:
+   * - Picture (the default).
+   * - Error: the estimate of each pixel's error, in greys. Black is 0, white the Tolerance, or DefaultWhite where there is none, and more.
+   * - Nodes: how many nodes each pixel uses, in greys. Black is 0, white 64, or that the pixel is drawn exactly, by sorting.
+   * Both hide the opaque picture, which would look like an error; where there are no translucent fragments it stays, to tell where one is. Another
+   * value is an error and changes nothing.
+   */
+  void SetShow(int show);
+  vtkGetMacro(Show, int);
+  static constexpr double DefaultWhite = 0.1;
+  ///@}
+
   std::vector<vtkTranslucencyOption> GetOptions() override;
   std::string GetMissing(vtkOpenGLRenderWindow* window) override;
 
@@ -97,17 +115,22 @@ protected:
   vtkAdaptiveTransparencyPass() = default;
   ~vtkAdaptiveTransparencyPass() override;
 
-  bool DividesVolumes() const override { return this->Memory == Variable; }
-  bool RenderStages(vtkTranslucencyFrame& frame) override;
+  bool RenderFixed(vtkTranslucencyFrame& frame) override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
-  int Memory = Variable;
   int NodeCount = 16;
   int NodeRemoval = Underestimate;
+  double Tolerance = 0;
+  int Show = Picture;
 
 private:
+  vtkTranslucencyFrame::Defines GetDefines(int nodes) const;
+  vtkTranslucencyFrame::Uniforms GetWhite() const;
+  bool ResolveToTolerance(vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& squares);
+  bool ResolveExactly(vtkTranslucencyFrame& frame);
+
   vtkTranslucencyPixels Functions; // in fixed memory
   vtkTranslucencyTargets Colors;
 

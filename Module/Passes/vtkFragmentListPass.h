@@ -38,11 +38,11 @@ protected:
   enum Level
   {
     Short = 0,            // up to 8, 16 and 32 fragments, in registers: 0, 1, 2
-    Technique = 3,        // the subclass's own, and
-    TechniqueMore = 4,    // for pixels that it leaves to itself
-    ShortEqualDepths = 5, // short lists with fragments of equal depth
-    Runs = 6,             // up to 256 fragments, exactly
-    Long = 7              // any number of fragments, exactly
+    Technique = 3,        // the subclass's own
+    ShortEqualDepths = 4, // short lists with fragments of equal depth
+    Runs = 5,             // up to 256 fragments, exactly
+    Long = 6,             // any number of fragments, exactly
+    TechniqueMore = 7     // and above: for pixels that the subclass leaves to itself
   };
 
   /**

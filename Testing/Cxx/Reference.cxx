@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace Reference
@@ -38,6 +39,8 @@ void VisibilityFunction::Insert(double depth, double alpha)
   const auto at = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), depth,
     [](double z, const Node& node) { return z < node.Depth; });
   const std::size_t index = static_cast<std::size_t>(at - this->Nodes.begin());
+  this->Nearest = std::min(this->Nearest, depth);
+  this->Farthest = std::max(this->Farthest, depth);
   this->Nodes.insert(at, { depth, this->AfterNodes(index) });
   for (std::size_t behind = index; behind < this->Nodes.size(); ++behind)
   {
@@ -77,11 +80,18 @@ void VisibilityFunction::RemoveOne()
       consider(step * (this->Nodes[j + 1].Depth - this->Nodes[j].Depth), j, false);
     }
   }
+  this->Lost += least;
   if (lowersPrevious)
   {
     this->Nodes[removed - 1].Transmittance = this->Nodes[removed].Transmittance;
   }
   this->Nodes.erase(this->Nodes.begin() + static_cast<std::ptrdiff_t>(removed));
+}
+
+//------------------------------------------------------------------------------
+double VisibilityFunction::EstimateError() const
+{
+  return this->Lost > 0 ? std::min(1.0, this->Lost / (this->Farthest - this->Nearest)) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +184,42 @@ Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, R
     pixel.Transmittance *= 1 - fragment->Alpha;
   }
   return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeToTolerance(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, double tolerance, int* nodes)
+{
+  constexpr int mostNodes = 64;
+  std::set<double> depths;
+  for (const Fragment& fragment : fragments)
+  {
+    depths.insert(fragment.Depth);
+  }
+  for (int count = nodeCount; depths.size() == fragments.size(); count = std::min(2 * count, mostNodes))
+  {
+    VisibilityFunction visibility(count, removal);
+    for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
+    {
+      visibility.Insert(fragment->Depth, fragment->Alpha);
+    }
+    if (visibility.EstimateError() <= tolerance)
+    {
+      if (nodes)
+      {
+        *nodes = static_cast<int>(visibility.GetNodes().size());
+      }
+      return CompositeAdaptive(fragments, count, removal);
+    }
+    if (count == mostNodes)
+    {
+      break;
+    }
+  }
+  if (nodes)
+  {
+    *nodes = mostNodes;
+  }
+  return CompositeExact(fragments);
 }
 
 //------------------------------------------------------------------------------

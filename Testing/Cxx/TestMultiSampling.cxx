@@ -421,6 +421,19 @@ std::vector<Sampling> Samplings()
       New<vtkAdaptiveTransparencyPass>(
         [](vtkAdaptiveTransparencyPass* pass) { pass->SetNodeCount(4); }),
       AdaptiveCompositor(4, Reference::Removal::Underestimate), few });
+    for (const auto& [name, scene] : { std::pair("Tolerance", &few), std::pair("ToleranceDeep", &deep) })
+    {
+      samplings.push_back({ name + suffix, samples,
+        New<vtkAdaptiveTransparencyPass>(
+          [](vtkAdaptiveTransparencyPass* pass)
+          {
+            pass->SetNodeCount(2);
+            pass->SetTolerance(0.01);
+          }),
+        [](const std::vector<Reference::Fragment>& fragments)
+        { return Reference::CompositeToTolerance(fragments, 2, Reference::Removal::Underestimate, 0.01); },
+        *scene });
+    }
   }
   const std::vector<Sampling> others = SamplingsWithoutLists(few, mosaic);
   samplings.insert(samplings.end(), others.begin(), others.end());

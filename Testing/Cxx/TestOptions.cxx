@@ -36,6 +36,18 @@ BadValue NodeRemoval(int removal, const std::string& name)
     [removal](auto* adaptive, auto*) { adaptive->SetNodeRemoval(removal); }, "Underestimate" };
 }
 
+BadValue Tolerance(double tolerance, const std::string& name)
+{
+  return { "Tolerance" + name, [](auto* adaptive, auto*) { return adaptive->GetTolerance(); },
+    [tolerance](auto* adaptive, auto*) { adaptive->SetTolerance(tolerance); }, "0 to 1" };
+}
+
+BadValue Show(int show, const std::string& name)
+{
+  return { "Show" + name, [](auto* adaptive, auto*) -> double { return adaptive->GetShow(); },
+    [show](auto* adaptive, auto*) { adaptive->SetShow(show); }, "Nodes (2)" };
+}
+
 BadValue Resolve(int resolve, const std::string& name)
 {
   return { "Resolve" + name, [](auto*, auto* exact) -> double { return exact->GetResolve(); },
@@ -85,7 +97,8 @@ TEST_P(TestBadValue, IsAnErrorAndChangesNothing)
 
 INSTANTIATE_TEST_SUITE_P(Options, TestBadValue,
   testing::Values(NodeCount(0, "_0"), NodeCount(-1, "_Negative"), NodeCount(65, "_65"),
-    NodeCount(1000, "_1000"), NodeRemoval(-1, "_Negative"), NodeRemoval(3, "_3"),
+    NodeCount(1000, "_1000"), Tolerance(-0.1, "_Negative"), Tolerance(1.1, "_AboveOne"),
+    Tolerance(std::numeric_limits<double>::quiet_NaN(), "_NaN"), Show(-1, "_Negative"), Show(3, "_3"), NodeRemoval(-1, "_Negative"), NodeRemoval(3, "_3"),
     Resolve(-1, "_Negative"), Resolve(2, "_2"), ColorFormat(-1, "_Negative"), ColorFormat(2, "_2"),
     MemoryLimit(-1, "_Negative"), MemoryLimit(std::numeric_limits<double>::quiet_NaN(), "_NaN")),
   [](const auto& info) { return info.param.Name; });

@@ -297,6 +297,61 @@ TEST_P(TestVisibility, KeepsTheTotal)
     }));
 }
 
+//------------------------------------------------------------------------------
+TEST_P(TestVisibility, EstimatesItsErrorAsTheReferenceDoes)
+{
+  EXPECT_TRUE(rc::check("the same estimate, where single precision is exact; 0 if nothing was removed",
+    []
+    {
+      const auto shader = GetParam().New();
+      VisibilityFunction reference(GetParam().NodeCount, GetParam().Rule);
+      int count = 0;
+      for (const Step& step : *ExactSteps())
+      {
+        shader->Insert(step.Depth, step.Alpha);
+        reference.Insert(step.Depth, step.Alpha);
+        ++count;
+        RC_ASSERT(std::abs(shader->GetEstimate() - reference.EstimateError()) < Rounding);
+        RC_ASSERT(count > GetParam().NodeCount || shader->GetEstimate() == 0);
+      }
+    }));
+  std::mt19937 random(5);
+  for (int i = 0; i < 50; ++i)
+  {
+    const auto shader = GetParam().New();
+    VisibilityFunction reference(GetParam().NodeCount, GetParam().Rule);
+    for (const Step& step : RandomSteps(random, 96))
+    {
+      shader->Insert(step.Depth, step.Alpha);
+      reference.Insert(step.Depth, step.Alpha);
+    }
+    EXPECT_NEAR(shader->GetEstimate(), reference.EstimateError(), Rounding);
+    EXPECT_GT(shader->GetEstimate(), 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestVisibility, EstimatesNoLessThanItsMeanError)
+{
+  EXPECT_TRUE(rc::check("of transmittance between the nearest and the farthest fragment",
+    []
+    {
+      const std::vector<Step> steps = *Steps();
+      const auto shader = GetParam().New();
+      VisibilityFunction exact(static_cast<int>(steps.size()) + 1, GetParam().Rule);
+      for (const Step& step : steps)
+      {
+        shader->Insert(step.Depth, step.Alpha);
+        exact.Insert(step.Depth, step.Alpha);
+      }
+      RC_PRE(!steps.empty());
+      const auto [nearest, farthest] = std::minmax_element(steps.begin(), steps.end(), NearerThan);
+      RC_PRE(nearest->Depth < farthest->Depth);
+      const double mean = AreaBetween(shader->GetNodes(), exact.GetNodes()) / (farthest->Depth - nearest->Depth);
+      RC_ASSERT(shader->GetEstimate() >= mean - Rounding);
+    }));
+}
+
 INSTANTIATE_TEST_SUITE_P(Shader, TestVisibility, testing::ValuesIn(VisibilityVariants()),
   [](const auto& info) { return info.param.GetName(); });
 

@@ -23,6 +23,9 @@ public:
   /// The nodes in use.
   virtual std::vector<Reference::Node> GetNodes() const = 0;
 
+  /// Of its error (ESTIMATE_ERROR).
+  virtual float GetEstimate() const = 0;
+
   /// The transmittance behind everything.
   virtual float GetTotal() const = 0;
 };

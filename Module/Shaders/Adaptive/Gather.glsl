@@ -10,14 +10,10 @@
 //
 // In a multi-sampled window the shader runs once for each sample, whose function it changes.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, SAMPLES.  Gives: gatherFragment.
-#ifndef NODE_COUNT
-#error "Adaptive/Gather.glsl needs NODE_COUNT"
-#endif
-#define PIXEL_WORDS (2 * NODE_COUNT)
+// Needs: NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, SAMPLES.  Gives: gatherFragment.
 #define INSERTED_AS_DRAWN 1
+#include "Adaptive/Record.glsl"
 #include "Adaptive/Visibility.glsl"
-#include "Common/Pixels.glsl"
 #include "Common/Tile.glsl"
 
 uniform int gatherStage;
@@ -35,6 +31,14 @@ void loadVisibility(PixelRecord record, uint count, out Visibility visibility)
   visibility.t[k] = last; // of nodes that are not in use, the total transmittance
   EACH_NODE(LOAD)
   visibility.t[NODE_COUNT] = last;
+#if ESTIMATE_ERROR
+  if (count > 0u)
+  {
+    visibility.lost = uintBitsToFloat(recordWord(record, RECORD_LOST));
+    visibility.nearest = uintBitsToFloat(recordWord(record, RECORD_NEAREST));
+    visibility.farthest = uintBitsToFloat(recordWord(record, RECORD_FARTHEST));
+  }
+#endif
 }
 
 void storeVisibility(PixelRecord record, uint count, Visibility visibility)
@@ -46,6 +50,11 @@ void storeVisibility(PixelRecord record, uint count, Visibility visibility)
     setRecordWord(record, 2 * (k) + 1, floatBitsToUint(visibility.t[k])); \
   }
   EACH_NODE(STORE)
+#if ESTIMATE_ERROR
+  setRecordWord(record, RECORD_LOST, floatBitsToUint(visibility.lost));
+  setRecordWord(record, RECORD_NEAREST, floatBitsToUint(visibility.nearest));
+  setRecordWord(record, RECORD_FARTHEST, floatBitsToUint(visibility.farthest));
+#endif
   setRecordCount(record, count);
 }
 

@@ -9,6 +9,8 @@
 //   behind it lies infinity.
 // - NODE_REMOVAL_MIXED takes the cheaper of the two, node by node.
 //
+// ESTIMATE_ERROR 1: the areas that were lost are summed.
+//
 // Needs: NODE_COUNT, NODE_REMOVAL.  Gives: Visibility, removeNode.
 #ifndef RemoveNode_glsl
 #define RemoveNode_glsl
@@ -22,12 +24,20 @@
 #define NODE_REMOVAL_OVERESTIMATE 1
 #define NODE_REMOVAL_MIXED 2
 #define NODE_EMPTY 2.0f // behind every window depth
+#ifndef ESTIMATE_ERROR
+#define ESTIMATE_ERROR 0
+#endif
 
 struct Visibility
 {
   float z[NODE_COUNT + 1];
   float t[NODE_COUNT + 1];
   bool tied; // fragments of equal depth have come in
+#if ESTIMATE_ERROR
+  float lost; // the areas of all removals
+  float nearest; // of the fragments
+  float farthest;
+#endif
 };
 
 // What goes: node `depth`'s depth, and one transmittance: that of node depth - 1 (underestimate) or of the node itself
@@ -71,6 +81,9 @@ void removeNode(INOUT(Visibility) v)
 #endif
 #define FIND_LEAST(i) considerNode(v, least, (i) + 1);
   EACH_NODE(FIND_LEAST)
+#if ESTIMATE_ERROR
+  v.lost += least.area;
+#endif
   // Those behind what is removed move up.
 #define MOVE_UP(k) \
   v.z[k] = (k) < least.depth ? v.z[k] : v.z[(k) + 1]; \

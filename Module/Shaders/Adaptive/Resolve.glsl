@@ -7,10 +7,20 @@
 // without and leaves pixels that have such fragments to EQUAL_DEPTHS_LEVEL, which is this shader with EQUAL_DEPTHS 1. Pixels whose
 // loops the driver ends are left to UNFINISHED_LEVEL, which sorts.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, COLOR_FORMAT.
+// TOLERANCE 1: pixels with a larger estimate of their error than errorTolerance are left to FINER_LEVEL. Where samples of a pixel differ, that is
+// decided for each of them.
+//
+// SHOW other than SHOW_PICTURE: the second walk gives way to Adaptive/Show.glsl.
+//
+// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, TOLERANCE, FINER_LEVEL, SHOW, COLOR_FORMAT.
 #ifndef EQUAL_DEPTHS
 #error "Adaptive/Resolve.glsl needs EQUAL_DEPTHS"
 #endif
+#ifndef TOLERANCE
+#error "Adaptive/Resolve.glsl needs TOLERANCE"
+#endif
+#include "Adaptive/Show.glsl"
+#define ESTIMATE_ERROR (TOLERANCE || SHOW == SHOW_ERROR)
 #include "Adaptive/Visibility.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/FinishPixel.glsl"
@@ -18,6 +28,10 @@
 #include "Storage/Selected.glsl"
 
 #define BEHIND_ALL_NODES 3.0
+
+#if TOLERANCE
+uniform float errorTolerance;
+#endif
 
 // Fragments that don't cover the sample take no node: nothing moves for what lies behind all of them.
 float nodeDepth(Fragment fragment, float alpha)
@@ -46,7 +60,20 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     return false;
   }
 #endif
+#if ESTIMATE_ERROR
+  float error = estimateError(visibility.lost, visibility.nearest, visibility.farthest);
+#else
+  float error = 0.0;
+#endif
+#if TOLERANCE
+  if (error > errorTolerance && samplesAgree())
+  {
+    leaveToLevel(pixel, FINER_LEVEL);
+    return false;
+  }
+#endif
   uint unread = cursor;
+#if SHOW == SHOW_PICTURE
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
@@ -57,6 +84,9 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     passNode(visibility, depth);
 #endif
   }
+#else
+  showPixel(error, min(count, NODE_COUNT), color, transmittance);
+#endif
   if (unread != 0u || cursor != 0u)
   {
     leaveToLevel(pixel, UNFINISHED_LEVEL);

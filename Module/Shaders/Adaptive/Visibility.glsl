@@ -5,7 +5,7 @@
 // fragment that has just come in. A node that is not in use lies at NODE_EMPTY and holds the total transmittance.
 //
 // Needs: NODE_COUNT, NODE_REMOVAL.  Gives: Visibility, clearVisibility, insertFragment, transmittanceBefore,
-// passNode.
+// passNode, with ESTIMATE_ERROR 1 estimateError.
 #ifndef Visibility_glsl
 #define Visibility_glsl
 #include "Adaptive/RemoveNode.glsl"
@@ -26,6 +26,11 @@ void clearVisibility(OUT(Visibility) v)
   EACH_NODE(CLEAR)
   CLEAR(NODE_COUNT)
   v.tied = false;
+#if ESTIMATE_ERROR
+  v.lost = 0.0f;
+  v.nearest = NODE_EMPTY;
+  v.farthest = 0.0f;
+#endif
 }
 
 // Multiplies vis(z) with the step of a fragment (Eq. 5). Of equal depths, the fragment that comes later is put behind, or in front
@@ -41,11 +46,24 @@ void insertFragment(INOUT(Visibility) v, float depth, float alpha, int count)
   v.tied = v.tied || v.z[0] == depth;
   v.t[0] = STAYS_IN_FRONT(v.z[0], depth) ? v.t[0] : passes;
   v.z[0] = min(v.z[0], depth);
+#if ESTIMATE_ERROR
+  v.nearest = min(v.nearest, depth);
+  v.farthest = depth < NODE_EMPTY ? max(v.farthest, depth) : v.farthest;
+#endif
   if (count >= NODE_COUNT)
   {
     removeNode(v);
   }
 }
+
+#if ESTIMATE_ERROR
+// The areas lost, over the distance from the nearest to the farthest fragment: at least the mean of |vis - what it was without removals| there
+// (each area was that when its node went, and what came later can only have made it less), 0 if nothing was removed, at most 1.
+float estimateError(float lost, float nearest, float farthest)
+{
+  return lost > 0.0f ? min(lost / (farthest - nearest), 1.0f) : 0.0f;
+}
+#endif
 
 // Moves the first node at this depth just in front of it: a fragment there has asked for its transmittance, and those of
 // equal depth that come after it lie behind it. Fragments have to ask in the order in which they were inserted. With no more

@@ -1,0 +1,28 @@
+// Adaptive/Show.glsl: what is drawn in place of the translucent colours: how well a pixel is drawn, or what that took. Grey, and opaque.
+//
+// Needs: SHOW, NODE_COUNT.  Gives: showPixel.
+#ifndef Show_glsl
+#define Show_glsl
+#ifndef SHOW
+#error "Adaptive/Show.glsl needs SHOW"
+#endif
+#define SHOW_PICTURE 0
+#define SHOW_ERROR 1
+#define SHOW_NODES 2
+
+#if SHOW == SHOW_ERROR
+uniform float errorWhite; // the estimate that is white
+#endif
+
+// Of a pixel with that estimate and that many nodes in use.
+void showPixel(float error, int nodes, out vec3 color, out float transmittance)
+{
+#if SHOW == SHOW_ERROR
+  color = vec3(min(error / errorWhite, 1.0));
+#else
+  color = vec3(float(nodes) / 64.0);
+#endif
+  transmittance = 0.0;
+}
+
+#endif

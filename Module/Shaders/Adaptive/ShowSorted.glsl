@@ -1,0 +1,23 @@
+// Adaptive/ShowSorted.glsl: a pixel that is drawn exactly, by sorting its fragments: no error, and as many nodes as there can be.
+//
+// Needs: SHOW, COLOR_FORMAT.
+#include "Adaptive/Show.glsl"
+#include "Common/Fragment.glsl"
+#include "Common/FinishPixel.glsl"
+#include "Storage/Selected.glsl"
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  uint count = 0u;
+  Fragment fragment;
+  uint cursor = firstFragment(pixel);
+  while (nextFragment(cursor, fragment))
+  {
+    count += unpackColor(fragment.color).a > 0.0 ? 1u : 0u;
+  }
+  showPixel(0.0, 64, color, transmittance);
+  finishPixel(pixel, count);
+  return count > 0u;
+}
+
+#include "Common/Resolve.glsl"

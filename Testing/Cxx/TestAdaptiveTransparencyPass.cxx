@@ -1,0 +1,241 @@
+// The estimate of the error, drawn as a picture, and tolerances of it, against the same computed on the CPU.
+#include "RenderTest.h"
+
+#include <vtkActor.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+#include <vtkTranslucencyStatistics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace
+{
+using Adaptive = vtkAdaptiveTransparencyPass;
+using Reference::Fragment;
+using Reference::Removal;
+
+constexpr double Bound = 2; // of 255: the framebuffer rounds
+
+Reference::Pixel Grey(double value)
+{
+  const double grey = std::min(value, 1.0);
+  return { { { grey, grey, grey } }, 0 };
+}
+
+// What Show draws, of fragments in the order of their insertion.
+Compositor Shown(int show, int memory, int nodes, Removal rule)
+{
+  return [=](std::vector<Fragment> fragments)
+  {
+    if (memory == Adaptive::Variable) // the fragment drawn last is inserted first
+    {
+      std::reverse(fragments.begin(), fragments.end());
+    }
+    Reference::VisibilityFunction visibility(nodes, rule);
+    for (const Fragment& fragment : fragments)
+    {
+      visibility.Insert(fragment.Depth, fragment.Alpha);
+    }
+    return fragments.empty() ? Reference::Pixel{}
+                             : Grey(show == Adaptive::Error ? visibility.EstimateError() / Adaptive::DefaultWhite
+                                                            : visibility.GetNodes().size() / 64.0);
+  };
+}
+
+Compositor ToTolerance(int nodes, Removal rule, double tolerance)
+{
+  return [=](const std::vector<Fragment>& fragments)
+  { return Reference::CompositeToTolerance(fragments, nodes, rule, tolerance); };
+}
+
+// Each surface twice at the same place.
+AnalyticScene Coincident()
+{
+  AnalyticScene scene = RandomLayers(60, 45, 7, 12, 0.05, 0.5);
+  const std::vector<Layer> once = scene.Translucent;
+  scene.Translucent.insert(scene.Translucent.end(), once.begin(), once.end());
+  return scene;
+}
+
+std::vector<AnalyticScene> Scenes()
+{
+  return { RandomLayers(60, 45, 2, 30, 0.02, 0.8), RandomMosaic(40, 30, 6, 100, 0.02, 0.3) };
+}
+
+void AddSpheres(vtkRenderer* renderer)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 40; ++i)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetThetaResolution(40);
+    sphere->SetPhiResolution(30);
+    sphere->SetRadius(0.4 + 0.3 * unit(random));
+    sphere->SetCenter(2 * unit(random), 1.5 * unit(random), 2 * unit(random));
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(unit(random), unit(random), unit(random));
+    actor->GetProperty()->SetOpacity(0.3);
+    renderer->AddActor(actor);
+  }
+  renderer->ResetCamera();
+}
+}
+
+//------------------------------------------------------------------------------
+using TestErrorEstimate = RenderTest;
+
+TEST_F(TestErrorEstimate, IsDrawnAsComputedLikeTheNodes)
+{
+  for (const AnalyticScene& scene : Scenes())
+  {
+    for (int memory : { Adaptive::Variable, Adaptive::Fixed })
+    {
+      for (int samples : { 0, 4 })
+      {
+        View view(scene, samples);
+        for (const auto& [nodes, rule] : { std::pair(1, Removal::Underestimate), std::pair(5, Removal::Overestimate),
+               std::pair(8, Removal::Mixed) })
+        {
+          const auto pass = NewAdaptive(nodes, rule);
+          pass->SetMemory(memory);
+          view.SetPass(pass);
+          for (int show : { Adaptive::Error, Adaptive::Nodes })
+          {
+            SCOPED_TRACE(std::to_string(scene.Translucent.size()) + " " + std::to_string(memory) + " " + std::to_string(samples) + " " +
+              std::to_string(nodes) + " " + std::to_string(show));
+            pass->SetShow(show);
+            const PictureDifference difference = Compare(view.Render(), scene.Compute(Shown(show, memory, nodes, rule)));
+            EXPECT_LE(difference.Largest, Bound) << difference;
+            EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+          }
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestErrorEstimate, IsBlackWithAsManyNodesAsFragments)
+{
+  const AnalyticScene scene = RandomLayers(100, 75, 8, 16, 0.02, 0.8);
+  const Picture black = scene.Compute([](const std::vector<Fragment>& fragments) { return fragments.empty() ? Reference::Pixel{} : Grey(0); });
+  for (int memory : { Adaptive::Variable, Adaptive::Fixed })
+  {
+    const auto pass = NewAdaptive(16, Removal::Underestimate);
+    pass->SetMemory(memory);
+    pass->SetShow(Adaptive::Error);
+    EXPECT_LE(Compare(Draw(scene, pass), black).Largest, 0.5); // the background is rounded
+    pass->SetNodeCount(2);
+    EXPECT_GT(Compare(Draw(scene, pass), black).Largest, 20);
+  }
+}
+
+//------------------------------------------------------------------------------
+using TestTolerance = RenderTest;
+
+TEST_F(TestTolerance, GivesThePictureAndTheNodesThatAreComputed)
+{
+  std::vector<AnalyticScene> scenes = Scenes();
+  scenes.push_back(Coincident());
+  for (const AnalyticScene& scene : scenes)
+  {
+    for (int samples : { 0, 4 })
+    {
+      View view(scene, samples);
+      for (const auto& [nodes, tolerance] : { std::pair(1, 0.02), std::pair(4, 0.001), std::pair(24, 1e-7) })
+      {
+        SCOPED_TRACE(std::to_string(scene.Translucent.size()) + " " + std::to_string(samples) + " " + std::to_string(nodes) + " " +
+          std::to_string(tolerance));
+        const auto pass = NewAdaptive(nodes, Removal::Underestimate);
+        pass->SetTolerance(tolerance);
+        view.SetPass(pass);
+        const PictureDifference picture =
+          Compare(view.Render(), scene.Compute(ToTolerance(nodes, Removal::Underestimate, tolerance)));
+        EXPECT_LE(picture.Largest, Bound) << picture;
+        EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+
+        pass->SetShow(Adaptive::Nodes);
+        const Compositor used = [n = nodes, t = tolerance](const std::vector<Fragment>& fragments)
+        {
+          int count = 0;
+          Reference::CompositeToTolerance(fragments, n, Removal::Underestimate, t, &count);
+          return fragments.empty() ? Reference::Pixel{} : Grey(count / 64.0);
+        };
+        const PictureDifference difference = Compare(view.Render(), scene.Compute(used));
+        EXPECT_LE(difference.Largest, Bound) << difference;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The smaller, the closer to the exact picture, and the more nodes; by how much is in the class's header.
+TEST_F(TestTolerance, SmallerIsNeverFartherFromExact)
+{
+  const AnalyticScene rectangles = RandomLayers(100, 75, 9, 60, 0.02, 0.3);
+  for (int samples : { 0, 4 })
+  {
+    for (bool spheres : { false, true })
+    {
+      SCOPED_TRACE(std::to_string(samples) + (spheres ? " spheres" : " rectangles"));
+      View view(100, 75, samples);
+      if (spheres)
+      {
+        AddSpheres(view.Renderer);
+      }
+      else
+      {
+        rectangles.AddTo(view.Renderer);
+      }
+      vtkNew<vtkABufferPass> exact;
+      view.SetPass(exact);
+      const Picture right = view.Render();
+      const auto pass = NewAdaptive(4, Removal::Underestimate);
+      view.SetPass(pass);
+      double last = Compare(view.Render(), right).RootMeanSquare;
+      const double untamed = last;
+      const struct
+      {
+        double Tolerance;
+        double Largest; // of 255
+      } limits[] = { { 0.1, 45 }, { 0.03, 35 }, { 0.01, 25 }, { 0.003, 15 }, { 0.001, 10 }, { 0.0001, 8 }, { 1e-6, 2 } };
+      for (const auto& limit : limits)
+      {
+        pass->SetTolerance(limit.Tolerance);
+        const PictureDifference difference = Compare(view.Render(), right);
+        EXPECT_LE(difference.Largest, limit.Largest) << limit.Tolerance << " " << difference;
+        EXPECT_LE(difference.RootMeanSquare, last) << limit.Tolerance;
+        last = difference.RootMeanSquare;
+      }
+      EXPECT_LT(last, 0.1 * untamed);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestTolerance, IsNotForFixedMemory)
+{
+  vtkNew<vtkAdaptiveTransparencyPass> pass;
+  const auto refused = [&](const std::string& expected)
+  {
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find(expected), std::string::npos) << messages[0];
+  };
+  pass->SetTolerance(0.01);
+  EXPECT_FALSE(pass->SetOption("memory", "fixed"));
+  refused("Memory is Fixed (1), expected Variable (0) while Tolerance is 0.01");
+  EXPECT_EQ(pass->GetMemory(), Adaptive::Variable);
+  pass->SetTolerance(0);
+  pass->SetMemory(Adaptive::Fixed);
+  EXPECT_FALSE(pass->SetOption("tolerance", "0.01"));
+  refused("Tolerance is 0.01, expected 0 while Memory is Fixed");
+  EXPECT_EQ(pass->GetTolerance(), 0);
+}
