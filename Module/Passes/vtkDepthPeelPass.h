@@ -31,6 +31,7 @@
 
 #include "vtkSmartPointer.h" // for Images
 #include "vtkTranslucencyPass.h"
+#include "vtkTranslucencyPixels.h" // for Buckets
 #include "vtkTranslucencyTargets.h" // for Peeled, Merged
 
 #include <vector> // for Images
@@ -47,7 +48,8 @@ public:
   enum MethodType
   {
     FrontToBack = 0,
-    Dual = 1
+    Dual = 1,
+    BucketSort = 2
   };
 
   enum TailType
@@ -85,6 +87,15 @@ public:
 
   ///@{
   /**
+   * The most graphics memory that BucketSort's buckets may take, in MiB; pictures for which that is not enough are drawn in tiles. 0 (the default)
+   * means a quarter of what the driver reports, or 2048 where it reports nothing. A negative value is an error and changes nothing.
+   */
+  void SetMemoryLimit(double mebibytes);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether the layers of each frame are kept as images, from front to back only. Off by default: it reads each back from the GPU.
    */
   vtkSetMacro(KeepLayers, bool);
@@ -118,15 +129,18 @@ protected:
   int Method = Dual;
   int Layers = 0;
   int Tail = Average;
+  double MemoryLimit = 0;
   bool KeepLayers = false;
 
 private:
   bool Peel(vtkTranslucencyFrame& frame, bool& left); // left becomes whether fragments are
   bool KeepLayer(vtkTranslucencyFrame& frame);
   bool AddTail(vtkTranslucencyFrame& frame);
+  bool PeelBuckets(vtkTranslucencyFrame& frame);
 
   vtkTranslucencyTargets Peeled; // by the last drawing: bounds of the next layers (Shaders/Peel/Methods.glsl), front layer, back layer
   vtkTranslucencyTargets Merged; // bounds of these layers, layers from the front, layers from the back
+  vtkTranslucencyPixels Buckets;
   std::vector<vtkSmartPointer<vtkImageData>> Images;
 
   vtkDepthPeelPass(const vtkDepthPeelPass&) = delete;

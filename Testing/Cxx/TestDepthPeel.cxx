@@ -15,6 +15,7 @@ namespace
 {
 constexpr int FrontToBack = vtkDepthPeelPass::FrontToBack;
 constexpr int Dual = vtkDepthPeelPass::Dual;
+constexpr int BucketSort = vtkDepthPeelPass::BucketSort;
 constexpr int Drop = vtkDepthPeelPass::Drop;
 constexpr int Average = vtkDepthPeelPass::Average;
 
@@ -146,7 +147,7 @@ void PrintTo(const Case& value, std::ostream* os)
 
 std::string MethodName(int method)
 {
-  return method == Dual ? "Dual" : "FrontToBack";
+  return method == Dual ? "Dual" : method == BucketSort ? "BucketSort" : "FrontToBack";
 }
 
 vtkSmartPointer<vtkDepthPeelPass> NewPeel(int method, int layers = 0, int tail = Average)
@@ -181,7 +182,7 @@ TEST_P(TestDepthPeelOfAll, IsExact)
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestDepthPeelOfAll,
-  testing::Combine(testing::ValuesIn(Cases), testing::Values(FrontToBack, Dual), testing::Values(0, 4)),
+  testing::Combine(testing::ValuesIn(Cases), testing::Values(FrontToBack, Dual, BucketSort), testing::Values(0, 4)),
   [](const auto& info)
   {
     return std::get<0>(info.param).Scene + MethodName(std::get<1>(info.param)) +
@@ -211,7 +212,7 @@ TEST_P(TestDepthPeelOfSome, IsTheseLayersAndTheTail)
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestDepthPeelOfSome,
-  testing::Combine(testing::Values(FrontToBack, Dual), testing::Values(1, 4, 5, 100), testing::Values(Drop, Average),
+  testing::Combine(testing::Values(FrontToBack, Dual, BucketSort), testing::Values(1, 4, 5, 100), testing::Values(Drop, Average),
     testing::Values(0, 4)),
   [](const auto& info)
   {
@@ -294,7 +295,7 @@ TEST_P(TestDepthPeel, BuildsNoShaderInLaterFrames)
   EXPECT_EQ(pass->GetStatistics()->GetShaderBuilds(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, TestDepthPeel, testing::Values(FrontToBack, Dual),
+INSTANTIATE_TEST_SUITE_P(Methods, TestDepthPeel, testing::Values(FrontToBack, Dual, BucketSort),
   [](const auto& info) { return MethodName(info.param); });
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,14 @@
+// Peel/ResolveBuckets.glsl: a pixel's colour, or that of a sample of it: all that has been peeled.
+//
+// Needs: BUCKETS, BUCKET_SIZE, SAMPLES.
+#include "Peel/Buckets.glsl"
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+{
+  vec4 front = recordVector(sampleRecord(), FRONT_WORD);
+  color = front.rgb;
+  transmittance = front.a;
+  return transmittance < 1.0;
+}
+
+#include "Common/Composite.glsl"
