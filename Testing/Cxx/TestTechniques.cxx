@@ -258,7 +258,7 @@ using TestPixelMemory = RenderTest;
 
 TEST_F(TestPixelMemory, InTilesGivesTheSamePicture)
 {
-  const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8);
+  const AnalyticScene scene = RandomLayers(100, 75, 2, 20, 0.02, 0.8);
   const Technique mlab = Layers("mlab", 8, Tail::Merge);
   const Technique fixed = AdaptiveFixed(8, "underestimate", Reference::Removal::Underestimate);
   for (const Technique& technique : { mlab, fixed, BucketSort() })
@@ -270,7 +270,7 @@ TEST_F(TestPixelMemory, InTilesGivesTheSamePicture)
       view.SetPass(pass);
       const Picture whole = view.Render();
       EXPECT_EQ(pass->GetStatistics()->GetTiles(), 1);
-      for (const char* limit : { "1.5", "0.25", "0.06" })
+      for (const char* limit : { "0.5", "0.25", "0.06" })
       {
         EXPECT_TRUE(pass->SetOption("memory_limit", limit));
         EXPECT_EQ(Compare(whole, view.Render()).Largest, 0) << technique.Name << " " << samples << " " << limit;
