@@ -932,7 +932,7 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, 
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& defines, const Stage& stage)
+bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& defines, const Stage& stage, bool* any)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, defines);
@@ -952,7 +952,16 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
   SetUniforms(program, bound.GetUnits());
   this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
   this->PrepareColors(stage);
-  this->DrawVertices(GL_TRIANGLES, 3);
+  const auto draw = [this] { this->DrawVertices(GL_TRIANGLES, 3); };
+  if (any)
+  {
+    *any = AnySamplesPass(draw);
+  }
+  else
+  {
+    draw();
+  }
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // it may have changed records
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;
 }

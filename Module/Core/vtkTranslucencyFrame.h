@@ -141,8 +141,9 @@ public:
   bool Draw(const Gathering& gathering, const Stage& stage, bool* any = nullptr);
 
   /// Runs a shader with a main function of its own over the tile, of which each output goes to a buffer of the stage's targets. Several
-  /// outputs need locations, and so Capabilities.MissingForBuffers to be empty.
-  bool DrawScreen(const std::string& file, const Defines& defines, const Stage& stage);
+  /// outputs need locations, and so Capabilities.MissingForBuffers to be empty. If any is given it becomes whether the shader has left a
+  /// fragment that it did not discard; that waits for it.
+  bool DrawScreen(const std::string& file, const Defines& defines, const Stage& stage, bool* any = nullptr);
 
   /// Clears a stage's targets.
   bool Clear(const Stage& stage);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkDepthPeelPass);
 
@@ -17,7 +18,7 @@ namespace
 using Blending = vtkTranslucencyFrame::Blending;
 using Buffer = vtkTranslucencyFrame::Buffer;
 
-const char* const Methods[] = { "PEEL_FRONT_TO_BACK", "PEEL_DUAL" };
+const char* const Methods[] = { "PEEL_FRONT_TO_BACK", "PEEL_DUAL", "PEEL_BUCKET_SORT" };
 constexpr int MostLayers = 65536;
 
 // Shaders/Peel/Methods.glsl
@@ -30,6 +31,11 @@ constexpr int TailStage = 1;
 constexpr int Bounds = 0;
 constexpr int Front = 1;
 constexpr int Back = 2;
+
+// Shaders/Peel/Buckets.glsl
+constexpr int NumberOfBuckets = 8;
+constexpr int BucketSize = 4;
+constexpr int WordsOfRecord = 8 + NumberOfBuckets * BucketSize * 3;
 
 vtkTranslucencyFrame::Gathering GetGathering(int method)
 {
@@ -73,15 +79,16 @@ void vtkDepthPeelPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << Methods[this->Method] << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "Tail: " << (this->Tail == Drop ? "Drop" : "Average") << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "KeepLayers: " << this->KeepLayers << "\n";
 }
 
 //------------------------------------------------------------------------------
 void vtkDepthPeelPass::SetMethod(int method)
 {
-  if (method < FrontToBack || method > Dual)
+  if (method < FrontToBack || method > BucketSort)
   {
-    vtkErrorMacro(<< "Method is " << method << ", expected FrontToBack (0) or Dual (1)");
+    vtkErrorMacro(<< "Method is " << method << ", expected FrontToBack (0), Dual (1) or BucketSort (2)");
     return;
   }
   if (this->Method != method)
@@ -122,6 +129,21 @@ void vtkDepthPeelPass::SetTail(int tail)
 }
 
 //------------------------------------------------------------------------------
+void vtkDepthPeelPass::SetMemoryLimit(double mebibytes)
+{
+  if (!(mebibytes >= 0))
+  {
+    vtkErrorMacro(<< "MemoryLimit is " << mebibytes << " MiB, expected a positive number, or 0 for the default");
+    return;
+  }
+  if (this->MemoryLimit != mebibytes)
+  {
+    this->MemoryLimit = mebibytes;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkDepthPeelPass::GetNumberOfKeptLayers()
 {
   return static_cast<int>(this->Images.size());
@@ -143,28 +165,40 @@ vtkImageData* vtkDepthPeelPass::GetKeptLayer(int index)
 std::vector<vtkTranslucencyOption> vtkDepthPeelPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
-  return { { "Method", "method", Kind::Choice, Dual, 0, 1, { "front-to-back", "dual" },
-             "dual takes off the nearest and the farthest layer at once, which needs half as many drawings of the geometry",
+  return { { "Method", "method", Kind::Choice, Dual, 0, 2, { "front-to-back", "dual", "bucket-sort" },
+             "dual takes off the nearest and the farthest layer at once, in half as many drawings of the geometry; bucket-sort up to 32, in far more memory",
              [this] { return this->GetMethod(); }, [this](double value) { this->SetMethod(static_cast<int>(value)); } },
     { "Layers", "layers", Kind::Integer, 0, 0, MostLayers, {},
       "the most layers to peel, with dual half of them from each side; 0 peels until nothing is left",
       [this] { return this->GetLayers(); }, [this](double value) { this->SetLayers(static_cast<int>(value)); } },
     { "Tail", "tail", Kind::Choice, Average, 0, 1, { "drop", "average" },
       "what is done with fragments that are left after so many layers: nothing, or all are drawn as one layer of their mean colour",
-      [this] { return this->GetTail(); }, [this](double value) { this->SetTail(static_cast<int>(value)); } } };
+      [this] { return this->GetTail(); }, [this](double value) { this->SetTail(static_cast<int>(value)); } },
+    this->GetCriticalSectionOption(),
+    { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
+      "graphics memory for bucket-sort, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's memory, or 2048",
+      [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
 }
 
 //------------------------------------------------------------------------------
 std::string vtkDepthPeelPass::GetMissing(vtkOpenGLRenderWindow* window)
 {
   const std::string missing = this->Superclass::GetMissing(window);
-  return missing.empty() ? this->GetCapabilities(window).MissingForBuffers : missing;
+  if (!missing.empty())
+  {
+    return missing;
+  }
+  return this->Method == BucketSort ? this->GetMissingForCriticalSection(window) : this->GetCapabilities(window).MissingForBuffers;
 }
 
 //------------------------------------------------------------------------------
 bool vtkDepthPeelPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   this->Images.clear();
+  if (this->Method == BucketSort)
+  {
+    return this->PeelBuckets(frame);
+  }
   const bool dual = this->Method == Dual;
   const std::vector<int> formats = dual ? std::vector<int>{ 2, 4, 4 } : std::vector<int>{ 1, 4 };
   bool left = false;
@@ -256,9 +290,31 @@ bool vtkDepthPeelPass::AddTail(vtkTranslucencyFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+bool vtkDepthPeelPass::PeelBuckets(vtkTranslucencyFrame& frame)
+{
+  const vtkTranslucencyFrame::Defines buckets{ { "BUCKETS", std::to_string(NumberOfBuckets) },
+    { "BUCKET_SIZE", std::to_string(BucketSize) } };
+  vtkTranslucencyFrame::Gathering gathering{ "Peel/GatherBuckets.glsl", buckets };
+  gathering.Values["PEEL_TAIL"] = this->Layers > 0 && this->Tail == Average ? "1" : "0";
+  gathering.Critical = true;
+  gathering.Rejects = true;
+  vtkTranslucencyFrame::Defines merge = gathering.Values;
+  merge["PEEL_LAYERS"] = std::to_string(this->Layers);
+
+  bool left = true;
+  bool good =
+    frame.UsePixels(this->Buckets, WordsOfRecord, this->MemoryLimit) && frame.DrawScreen("Peel/StartBuckets.glsl", buckets, {});
+  while (left && good)
+  {
+    good = frame.Draw(gathering, {}) && frame.DrawScreen("Peel/MergeBuckets.glsl", merge, {}, &left);
+  }
+  return good && frame.Composite("Peel/ResolveBuckets.glsl", buckets, {});
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkDepthPeelPass::GetTechniqueBytes()
 {
-  return this->Peeled.GetBytes() + this->Merged.GetBytes();
+  return this->Peeled.GetBytes() + this->Merged.GetBytes() + this->Buckets.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -266,4 +322,5 @@ void vtkDepthPeelPass::ReleaseTechniqueResources(bool contextAlive)
 {
   this->Peeled.Release(contextAlive);
   this->Merged.Release(contextAlive);
+  this->Buckets.Release(contextAlive);
 }

@@ -15,6 +15,7 @@ namespace
 {
 constexpr int FrontToBack = vtkDepthPeelPass::FrontToBack;
 constexpr int Dual = vtkDepthPeelPass::Dual;
+constexpr int BucketSort = vtkDepthPeelPass::BucketSort;
 constexpr int Drop = vtkDepthPeelPass::Drop;
 constexpr int Average = vtkDepthPeelPass::Average;
 
@@ -108,6 +109,31 @@ AnalyticScene WithEqualDepths(AnalyticScene scene)
   return scene;
 }
 
+/// Layers of the whole picture at these depths, in the order of drawing.
+AnalyticScene LayersAt(const std::vector<double>& depths, double alpha)
+{
+  AnalyticScene scene;
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    const auto level = [i](std::size_t step) { return static_cast<double>(i * step % 4) / 3; };
+    scene.Translucent.push_back({ { 0, 0, scene.Width, scene.Height, depths[i], { { level(1), level(3), level(5) } }, alpha } });
+  }
+  return scene;
+}
+
+/// As close as depths can be in 32-bit floats, more of them than a bucket has room for, and others around them.
+AnalyticScene WithAdjacentDepths()
+{
+  constexpr double step = 1.0 / (1 << 24);
+  std::vector<double> depths{ 0.25, 0.875 };
+  for (int i : { 3, 7, 1, 5, 0, 6, 2, 4, 8 })
+  {
+    depths.push_back(0.5 + i * step);
+  }
+  depths.push_back(0.125);
+  return LayersAt(depths, 0.4);
+}
+
 /// A scene of hundreds of layers as one actor, which is drawn hundreds of times.
 AnalyticScene AsOneActor(const AnalyticScene& scene)
 {
@@ -134,6 +160,7 @@ const Case Cases[] = {
   { "Layers3", [] { return RandomLayers(400, 300, 1, 3, 0.2, 0.8); }, ShowsThrough },
   { "Layers30", [] { return RandomLayers(400, 300, 2, 30, 0.02, 0.8); }, ShowsThrough },
   { "EqualDepths", [] { return WithEqualDepths(RandomLayers(400, 300, 8, 30, 0.1, 0.6)); }, ShowsThrough },
+  { "AdjacentDepths", WithAdjacentDepths, ShowsThrough },
   { "Layers300", [] { return AsOneActor(RandomLayers(60, 40, 3, 300, 0.02, 0.3)); }, 1 },
   { "Layers1200", [] { return AsOneActor(RandomLayers(20, 20, 5, 1200, 0.005, 0.05)); }, 1 },
   { "Mosaic64", [] { return RandomMosaic(120, 80, 6, 64, 0.02, 0.3); }, 1 },
@@ -146,7 +173,7 @@ void PrintTo(const Case& value, std::ostream* os)
 
 std::string MethodName(int method)
 {
-  return method == Dual ? "Dual" : "FrontToBack";
+  return method == Dual ? "Dual" : method == BucketSort ? "BucketSort" : "FrontToBack";
 }
 
 vtkSmartPointer<vtkDepthPeelPass> NewPeel(int method, int layers = 0, int tail = Average)
@@ -181,7 +208,7 @@ TEST_P(TestDepthPeelOfAll, IsExact)
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestDepthPeelOfAll,
-  testing::Combine(testing::ValuesIn(Cases), testing::Values(FrontToBack, Dual), testing::Values(0, 4)),
+  testing::Combine(testing::ValuesIn(Cases), testing::Values(FrontToBack, Dual, BucketSort), testing::Values(0, 4)),
   [](const auto& info)
   {
     return std::get<0>(info.param).Scene + MethodName(std::get<1>(info.param)) +
@@ -211,7 +238,7 @@ TEST_P(TestDepthPeelOfSome, IsTheseLayersAndTheTail)
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestDepthPeelOfSome,
-  testing::Combine(testing::Values(FrontToBack, Dual), testing::Values(1, 4, 5, 100), testing::Values(Drop, Average),
+  testing::Combine(testing::Values(FrontToBack, Dual, BucketSort), testing::Values(1, 4, 5, 100), testing::Values(Drop, Average),
     testing::Values(0, 4)),
   [](const auto& info)
   {
@@ -260,15 +287,11 @@ TEST_P(TestDepthPeel, DrawsLitSurfacesAndImpostors)
 // The first drawing only looks for depths; the last finds that nothing is left.
 TEST_P(TestDepthPeel, DrawsTheGeometryNoMoreOftenThanItHasTo)
 {
-  AnalyticScene scene;
-  for (int i = 0; i < 7; ++i)
-  {
-    scene.Translucent.push_back({ { 0, 0, 400, 300, (i + 1) / 8.0, { { 1, 1, 1 } }, 0.3 } });
-  }
   const auto pass = NewPeel(GetParam());
-  View view(scene);
+  View view(LayersAt({ 1 / 8.0, 2 / 8.0, 3 / 8.0, 4 / 8.0, 5 / 8.0, 6 / 8.0, 7 / 8.0 }, 0.3));
   view.SetPass(pass);
   const bool dual = GetParam() == Dual;
+  const bool buckets = GetParam() == BucketSort;
   const auto drawings = [&](int layers, int tail)
   {
     pass->SetLayers(layers);
@@ -276,10 +299,10 @@ TEST_P(TestDepthPeel, DrawsTheGeometryNoMoreOftenThanItHasTo)
     view.Render();
     return pass->GetStatistics()->GetGeometryPasses();
   };
-  EXPECT_EQ(drawings(0, Average), dual ? 1 + 4 + 1 : 1 + 7 + 1);
-  EXPECT_EQ(drawings(4, Drop), dual ? 1 + 2 : 1 + 4);
-  EXPECT_EQ(drawings(4, Average), dual ? 1 + 2 + 1 : 1 + 4 + 1);
-  EXPECT_EQ(drawings(100, Average), dual ? 1 + 4 + 1 : 1 + 7 + 1);
+  EXPECT_EQ(drawings(0, Average), buckets ? 1 : dual ? 1 + 4 + 1 : 1 + 7 + 1);
+  EXPECT_EQ(drawings(4, Drop), buckets ? 1 : dual ? 1 + 2 : 1 + 4);
+  EXPECT_EQ(drawings(4, Average), buckets ? 1 + 1 : dual ? 1 + 2 + 1 : 1 + 4 + 1);
+  EXPECT_EQ(drawings(100, Average), buckets ? 1 : dual ? 1 + 4 + 1 : 1 + 7 + 1);
 }
 
 TEST_P(TestDepthPeel, BuildsNoShaderInLaterFrames)
@@ -294,8 +317,49 @@ TEST_P(TestDepthPeel, BuildsNoShaderInLaterFrames)
   EXPECT_EQ(pass->GetStatistics()->GetShaderBuilds(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, TestDepthPeel, testing::Values(FrontToBack, Dual),
+INSTANTIATE_TEST_SUITE_P(Methods, TestDepthPeel, testing::Values(FrontToBack, Dual, BucketSort),
   [](const auto& info) { return MethodName(info.param); });
+
+//------------------------------------------------------------------------------
+using TestDepthPeelBuckets = RenderTest;
+
+// Four of them, whatever the depths: here each is half as deep as the next one, so that nearly all lie in one bucket.
+TEST_F(TestDepthPeelBuckets, GiveNoLessThanTheyHoldADrawing)
+{
+  std::vector<double> depths;
+  for (int i = 1; i <= 24; ++i)
+  {
+    depths.push_back(std::ldexp(1.0, -i));
+  }
+  const auto drawings = [](const AnalyticScene& scene)
+  {
+    const auto pass = NewPeel(BucketSort);
+    EXPECT_LE(Compare(Draw(scene, pass), scene.Compute(Reference::CompositeExact)).Largest, ShowsThrough);
+    return pass->GetStatistics()->GetGeometryPasses();
+  };
+  EXPECT_LE(drawings(LayersAt(depths, 0.2)), 24 / 4);
+  std::reverse(depths.begin(), depths.end());
+  EXPECT_LE(drawings(LayersAt(depths, 0.2)), 24 / 4);
+  // At random, far more.
+  const int many = drawings(AsOneActor(RandomLayers(60, 40, 3, 300, 0.02, 0.3)));
+  EXPECT_GT(many, 300 / 32);
+  EXPECT_LE(many, 300 / 7);
+}
+
+TEST_F(TestDepthPeelBuckets, AreThoseOfTheFrameThatNeedsThem)
+{
+  const AnalyticScene scene = RandomLayers(200, 160, 9, 20, 0.1, 0.5);
+  const auto pass = NewPeel(Dual);
+  View view(scene);
+  view.SetPass(pass);
+  const Picture expected = scene.Compute(Reference::CompositeExact);
+  for (int method : { Dual, BucketSort, FrontToBack, BucketSort, Dual })
+  {
+    pass->SetMethod(method);
+    EXPECT_LE(Compare(view.Render(), expected).Largest, ShowsThrough) << method;
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+  }
+}
 
 //------------------------------------------------------------------------------
 using TestDepthPeelLayers = RenderTest;
@@ -357,16 +421,19 @@ TEST_F(TestDepthPeelLayers, AreKept)
 
 TEST_F(TestDepthPeelLayers, AreOfFrontToBackOnly)
 {
-  const auto pass = NewPeel(Dual);
-  pass->KeepLayersOn();
-  View view(RandomLayers(120, 90, 11, 20, 0.2, 0.7));
-  view.SetPass(pass);
-  view.Render();
-  EXPECT_EQ(pass->GetNumberOfKeptLayers(), 0);
-  EXPECT_EQ(pass->GetKeptLayer(0), nullptr);
-  const std::vector<std::string> messages = TakeMessages();
-  ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("the layer is 0, expected"), std::string::npos) << messages[0];
+  for (int method : { Dual, BucketSort })
+  {
+    const auto pass = NewPeel(method);
+    pass->KeepLayersOn();
+    View view(RandomLayers(120, 90, 11, 20, 0.2, 0.7));
+    view.SetPass(pass);
+    view.Render();
+    EXPECT_EQ(pass->GetNumberOfKeptLayers(), 0);
+    EXPECT_EQ(pass->GetKeptLayer(0), nullptr);
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find("the layer is 0, expected"), std::string::npos) << messages[0];
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -382,13 +449,15 @@ TEST_F(TestDepthPeelOptions, OutOfRangeAreErrorsAndChangeNothing)
     std::string Message;
   } attempts[] = {
     { [&] { pass->SetMethod(-1); }, "Method is -1, expected" },
-    { [&] { pass->SetMethod(2); }, "Method is 2, expected" },
+    { [&] { pass->SetMethod(3); }, "Method is 3, expected" },
     { [&] { pass->SetLayers(-1); }, "Layers is -1, expected" },
     { [&] { pass->SetLayers(65537); }, "Layers is 65537, expected" },
     { [&] { pass->SetTail(-1); }, "Tail is -1, expected" },
     { [&] { pass->SetTail(2); }, "Tail is 2, expected" },
-    { [&] { pass->SetOption("method", "bucket"); }, "method is 'bucket', expected front-to-back or dual" },
+    { [&] { pass->SetMemoryLimit(-1); }, "MemoryLimit is -1 MiB, expected" },
+    { [&] { pass->SetOption("method", "bucket"); }, "method is 'bucket', expected front-to-back, dual or bucket-sort" },
     { [&] { pass->SetOption("layers", "-1"); }, "layers is '-1', expected" },
+    { [&] { pass->SetOption("memory_limit", "-1"); }, "memory_limit is '-1', expected" },
     { [&] { pass->SetOption("tail", "blend"); }, "tail is 'blend', expected drop or average" },
   };
   for (const auto& attempt : attempts)
@@ -402,6 +471,7 @@ TEST_F(TestDepthPeelOptions, OutOfRangeAreErrorsAndChangeNothing)
   EXPECT_EQ(pass->GetOption("method"), "dual");
   EXPECT_EQ(pass->GetOption("layers"), "0");
   EXPECT_EQ(pass->GetOption("tail"), "average");
+  EXPECT_EQ(pass->GetOption("memory_limit"), "0");
 }
 
 //------------------------------------------------------------------------------

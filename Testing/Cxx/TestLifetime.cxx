@@ -202,7 +202,8 @@ std::vector<Case> Cases()
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
     // With a choice that holds other objects than the default does, too.
     std::vector<std::array<std::string, 3>> arrangements{ { "adaptive", "memory", "fixed" },
-      { "fourier", "memory", "fixed" }, { "sorted", "order", "centroid" }, { "peel", "method", "front-to-back" } };
+      { "fourier", "memory", "fixed" }, { "sorted", "order", "centroid" }, { "peel", "method", "front-to-back" },
+      { "peel", "method", "bucket-sort" } };
     for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
     {
       arrangements.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });

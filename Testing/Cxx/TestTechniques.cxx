@@ -65,6 +65,11 @@ Technique AdaptiveFixed(int nodes, const std::string& removal, Reference::Remova
     true, false };
 }
 
+Technique BucketSort()
+{
+  return { "PeelBucketSort", "peel", { { "method", "bucket-sort" } }, Reference::CompositeExact, true, true };
+}
+
 Technique Blended(const std::string& function, const std::function<double(double)>& weight)
 {
   return { "WeightedBlended_" + function, "weighted", { { "method", "blended" }, { "weight_function", function } },
@@ -90,7 +95,7 @@ std::vector<Technique> Techniques()
     Layers("hybrid", 8, Tail::Average), AdaptiveFixed(1, "underestimate", Removal::Underestimate),
     AdaptiveFixed(8, "underestimate", Removal::Underestimate), AdaptiveFixed(16, "underestimate", Removal::Underestimate),
     AdaptiveFixed(16, "overestimate", Removal::Overestimate), AdaptiveFixed(23, "mixed", Removal::Mixed),
-    AdaptiveFixed(64, "underestimate", Removal::Underestimate),
+    AdaptiveFixed(64, "underestimate", Removal::Underestimate), BucketSort(),
     { "WeightedSum", "weighted", { { "method", "sum" } }, Reference::CompositeWeightedSum, false, true },
     { "WeightedAverage", "weighted", { { "method", "average" } }, Reference::CompositeWeightedAverage, false, true },
     Blended("equation7",
@@ -228,10 +233,10 @@ using TestCriticalSection = RenderTest;
 TEST_F(TestCriticalSection, ThatTheDriverLacksFallsBack)
 {
   const AnalyticScene scene = RandomLayers(60, 40, 2, 10, 0.02, 0.8);
-  for (const char* name : { "mlab", "adaptive" })
+  for (const Technique& technique :
+    { Layers("mlab", 4, Tail::Merge), AdaptiveFixed(16, "underestimate", Reference::Removal::Underestimate), BucketSort() })
   {
-    const Technique technique{ name, name, { { "critical_section", "interlock" } }, {}, true, false };
-    const auto pass = New(technique, std::string(name) == "adaptive" ? Settings{ { "memory", "fixed" } } : Settings{});
+    const auto pass = New(technique, { { "critical_section", "interlock" } });
     View view(scene);
     view.SetPass(pass);
     const PictureDifference difference = Compare(view.Render(), scene.Compute(Reference::CompositeExact));
@@ -253,10 +258,10 @@ using TestPixelMemory = RenderTest;
 
 TEST_F(TestPixelMemory, InTilesGivesTheSamePicture)
 {
-  const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8);
+  const AnalyticScene scene = RandomLayers(100, 75, 2, 20, 0.02, 0.8);
   const Technique mlab = Layers("mlab", 8, Tail::Merge);
   const Technique fixed = AdaptiveFixed(8, "underestimate", Reference::Removal::Underestimate);
-  for (const Technique& technique : { mlab, fixed })
+  for (const Technique& technique : { mlab, fixed, BucketSort() })
   {
     for (int samples : { 0, 4 })
     {
@@ -265,7 +270,7 @@ TEST_F(TestPixelMemory, InTilesGivesTheSamePicture)
       view.SetPass(pass);
       const Picture whole = view.Render();
       EXPECT_EQ(pass->GetStatistics()->GetTiles(), 1);
-      for (const char* limit : { "1.5", "0.25", "0.02" })
+      for (const char* limit : { "0.5", "0.25", "0.06" })
       {
         EXPECT_TRUE(pass->SetOption("memory_limit", limit));
         EXPECT_EQ(Compare(whole, view.Render()).Largest, 0) << technique.Name << " " << samples << " " << limit;

@@ -1,0 +1,112 @@
+// Peel/GatherBuckets.glsl: a fragment goes to the layer of its depth in the bucket of its depth (Buckets.glsl).
+//
+// Why nothing is lost: a bucket that is full keeps its nearest depths. When a depth finds no room in it, or has to leave, all that are in the
+// bucket then, and stay, are nearer; so none of that depth's fragments will get into it again, and the limit is not behind it. Turned round, a
+// depth in front of the limit has had its place from its first fragment on, and the layer holds all of them. Which of them that is does
+// not depend on the order in which depths come; fragments of one depth are put over each other as they come.
+//
+// The limit only goes down while fragments come. So rejectFragment may read it without the critical section: an older value is behind the newer
+// one, and rejects nothing that the newer one would take. begin doesn't change.
+//
+// Needs: BUCKETS, BUCKET_SIZE, PEEL_TAIL (whether what is left is averaged), SAMPLES.  Gives: rejectFragment, gatherFragment.
+#ifndef PEEL_TAIL
+#error "Peel/GatherBuckets.glsl needs PEEL_TAIL"
+#endif
+#include "Common/Coverage.glsl"
+#include "Peel/Buckets.glsl"
+
+// Not a number is in front of nothing, and behind nothing.
+bool isLeft(PixelRecord record, float depth)
+{
+  return depth >= recordFloat(record, BEGIN_WORD) && depth < recordFloat(record, LIMIT_WORD);
+}
+
+// What has been peeled, or has to wait.
+void rejectFragment(float depth)
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  bool left = false;
+  if (inTile(pixel))
+  {
+    uint coverage = coveredSamples();
+    for (int index = 0; index < SAMPLES; ++index)
+    {
+      left = left || (((coverage >> uint(index)) & 1u) != 0u && isLeft(pixelRecord(pixel, index), depth));
+    }
+  }
+  if (!left)
+  {
+    discard;
+  }
+}
+
+#if PEEL_TAIL
+void addToTail(PixelRecord record, vec4 layer)
+{
+  setRecordVector(record, TAIL_WORD, recordVector(record, TAIL_WORD) + layer);
+  setRecordFloat(record, TAIL_WORD + 4, recordFloat(record, TAIL_WORD + 4) * (1.0 - layer.a));
+}
+#endif
+
+void addToBucket(PixelRecord record, vec4 layer, float depth, uint count)
+{
+  float inside = (depth - max(recordFloat(record, BEGIN_WORD), 0.0)) * recordFloat(record, BUCKETS_WORD);
+  int bucket = int(clamp(inside, 0.0, float(BUCKETS - 1)));
+  int taken = int(bucketCount(count, bucket));
+  float farthest = -NO_DEPTH;
+  int word = 0; // of its own layer, if there is one, or of the farthest one
+  bool found = false;
+  for (int place = 0; place < taken; ++place)
+  {
+    int candidate = layerWord(bucket, place);
+    float other = recordFloat(record, candidate);
+    if (!found && (other == depth || other > farthest))
+    {
+      found = other == depth;
+      farthest = other;
+      word = candidate;
+    }
+  }
+  bool room = taken < BUCKET_SIZE;
+  if (found)
+  {
+    layer += (1.0 - layer.a) * layerColor(record, word);
+  }
+  else if (room)
+  {
+    word = layerWord(bucket, taken);
+    setRecordCount(record, count + (1u << uint(bucket * BUCKET_BITS)));
+  }
+  else
+  {
+    setRecordFloat(record, LIMIT_WORD, min(recordFloat(record, LIMIT_WORD), max(depth, farthest)));
+  }
+  if (found || room || depth < farthest)
+  {
+    uvec2 color = packHalves(layer);
+    setRecordFloat(record, word, depth);
+    setRecordWord(record, word + 1, color.x);
+    setRecordWord(record, word + 2, color.y);
+  }
+}
+
+void updatePixel(PixelRecord record, vec4 color, float depth)
+{
+  vec4 layer = vec4(color.a * color.rgb, color.a);
+  if (isLeft(record, depth))
+  {
+    uint count = recordCount(record);
+#if PEEL_TAIL
+    if (count == TAIL)
+    {
+      addToTail(record, layer);
+    }
+    else
+#endif
+    {
+      addToBucket(record, layer, depth, count);
+    }
+  }
+}
+
+#include "Common/GatherPixels.glsl"
