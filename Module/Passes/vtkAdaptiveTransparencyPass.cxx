@@ -170,12 +170,13 @@ vtkTranslucencyFrame::Uniforms vtkAdaptiveTransparencyPass::GetWhite() const
 bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
 {
   // Adaptive/Record.glsl
-  constexpr int wordsOfNode = 2;
+  const int channels = frame.GetChannels();
+  const int wordsOfNode = 1 + channels;
   constexpr int wordsOfEstimate = 3;
   const int words = this->NodeCount * wordsOfNode + (this->Show == Error ? wordsOfEstimate : 0);
   vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
   defines["ESTIMATE_ERROR"] = this->Show == Error ? "1" : "0";
-  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, 1 };
+  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, channels };
   gathering.Critical = true;
   const vtkTranslucencyFrame::Stage visibility;
   vtkTranslucencyFrame::Stage shading;
@@ -183,7 +184,8 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
   shading.Targets = &this->Colors;
   shading.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
   shading.Clear = { { 0, 0, 0, 1 } };
-  if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit()) || !frame.UseTargets(this->Colors, { 4 }) ||
+  if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit()) ||
+    !frame.UseTargets(this->Colors, std::vector<int>(channels, 4)) ||
     !frame.Draw(gathering, visibility))
   {
     return false;
@@ -193,8 +195,13 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
     defines["SHOW"] = Shows[this->Show];
     return frame.Composite("Adaptive/ShowFixed.glsl", defines, {}, this->GetWhite());
   }
-  return frame.Draw(gathering, shading) &&
-    frame.Composite("Common/CompositeColors.glsl", {}, { { "gatheredColors", &this->Colors, 0 } });
+  std::vector<vtkTranslucencyFrame::Input> inputs{ { "gatheredColors", &this->Colors, 0 } };
+  if (channels == 3)
+  {
+    inputs.push_back({ "gatheredGreens", &this->Colors, 1 });
+    inputs.push_back({ "gatheredBlues", &this->Colors, 2 });
+  }
+  return frame.Draw(gathering, shading) && frame.Composite("Common/CompositeColors.glsl", {}, inputs);
 }
 
 //------------------------------------------------------------------------------

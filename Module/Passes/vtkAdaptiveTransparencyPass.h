@@ -110,6 +110,7 @@ public:
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
   std::string GetMissing(vtkOpenGLRenderWindow* window) override;
+  bool KeepsTransmissionColors() const override { return true; }
 
 protected:
   vtkAdaptiveTransparencyPass() = default;

@@ -66,7 +66,7 @@ bool Transmits(const Rectangle& rectangle)
   return rectangle.Transmission != Reference::Color{ { 0, 0, 0 } };
 }
 
-Reference::Color ComputePixel(const AnalyticScene& scene, int x, int y, const Compositor& composite)
+Reference::Color ComputePixel(const AnalyticScene& scene, int x, int y, const AnalyticScene::Painter& paint)
 {
   Reference::Color opaque = scene.Background;
   double opaqueDepth = 1;
@@ -84,6 +84,13 @@ Reference::Color ComputePixel(const AnalyticScene& scene, int x, int y, const Co
     std::copy_if(layer.begin(), layer.end(), std::back_inserter(covering),
       [&](const Rectangle& rectangle) { return Covers(rectangle, x, y) && rectangle.Depth < opaqueDepth; });
   }
+  return paint(covering, opaque);
+}
+
+/// Each channel by itself.
+Reference::Color PaintChannels(
+  const std::vector<Rectangle>& covering, const Reference::Color& opaque, const Compositor& composite)
+{
   const auto channelOver = [&](std::size_t channel)
   {
     std::vector<Reference::Fragment> fragments;
@@ -218,6 +225,14 @@ vtkSmartPointer<vtkActor> NewUnlitActor(vtkPolyData* data, const Reference::Colo
 //------------------------------------------------------------------------------
 Picture AnalyticScene::Compute(const Compositor& composite) const
 {
+  const Painter paint = [&composite](const std::vector<Rectangle>& covering, const Reference::Color& opaque)
+  { return PaintChannels(covering, opaque, composite); };
+  return this->Compute(paint);
+}
+
+//------------------------------------------------------------------------------
+Picture AnalyticScene::Compute(const Painter& paint) const
+{
   Picture picture{ this->Width, this->Height, {} };
   picture.Rgb.resize(3 * static_cast<std::size_t>(this->Width) * this->Height);
   const std::vector<int> columns = Borders(*this, &Rectangle::Left, &Rectangle::Right, this->Width);
@@ -226,7 +241,7 @@ Picture AnalyticScene::Compute(const Compositor& composite) const
   {
     for (std::size_t column = 0; column + 1 < columns.size(); ++column)
     {
-      const Reference::Color color = ComputePixel(*this, columns[column], rows[row], composite);
+      const Reference::Color color = ComputePixel(*this, columns[column], rows[row], paint);
       for (int y = rows[row]; y < rows[row + 1]; ++y)
       {
         for (int x = columns[column]; x < columns[column + 1]; ++x)

@@ -50,6 +50,11 @@ struct AnalyticScene
   std::vector<Rectangle> Opaque;
   std::vector<Layer> Translucent; // in the order of drawing
 
+  /// How a pixel's translucent rectangles, in the order of drawing, and what is opaque behind them become its colour.
+  using Painter = std::function<Reference::Color(const std::vector<Rectangle>& covering, const Reference::Color& opaque)>;
+
+  Picture Compute(const Painter& paint) const;
+
   /// The picture as it should be. With transmission colours each channel is composited by itself: a surface of opacity a and transmission t is
   /// one of opacity a * (1 - t) that adds as much light.
   Picture Compute(const Compositor& composite) const;

@@ -12,9 +12,9 @@
 #include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 #include <limits>
-#include <map>
 
 namespace
 {
@@ -66,6 +66,77 @@ std::vector<Scene> Scenes()
     { "Layers120", RandomLayers(60, 45, 3, 120, 0.02, 0.3).Transmitting(13) },
     { "Layers400", RandomLayers(40, 30, 4, 400, 0.02, 0.1).Transmitting(14) },
     { "Mosaic64", RandomMosaic(100, 75, 6, 64, 0.02, 0.3).Transmitting(15) } };
+}
+
+struct ColoredNode
+{
+  double Depth;
+  Reference::Color Transmittance; // behind it
+};
+
+// Eq. 5 for each channel, and Eq. 7 with the mean of the three steps; the step that goes moves to the nearer node (Figure 4).
+void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::size_t most)
+{
+  const auto place = std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth > rectangle.Depth; });
+  const Reference::Color before = place == nodes.begin() ? Reference::Color{ { 1, 1, 1 } } : std::prev(place)->Transmittance;
+  const auto inserted = nodes.insert(place, { rectangle.Depth, before });
+  for (auto node = inserted; node != nodes.end(); ++node)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      node->Transmittance[c] *= 1 - rectangle.Alpha * (1 - rectangle.Transmission[c]);
+    }
+  }
+  if (nodes.size() <= most)
+  {
+    return;
+  }
+  const auto area = [&nodes](std::size_t k)
+  {
+    double step = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      step += (nodes[k - 1].Transmittance[c] - nodes[k].Transmittance[c]) / 3;
+    }
+    return step * (nodes[k].Depth - nodes[k - 1].Depth);
+  };
+  std::size_t least = 1;
+  for (std::size_t k = 2; k < nodes.size(); ++k)
+  {
+    least = area(k) < area(least) ? k : least;
+  }
+  nodes[least - 1].Transmittance = nodes[least].Transmittance;
+  nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(least));
+}
+
+// Adaptive transparency with so many nodes of three transmittances. Kept fragments are inserted from the last drawn on.
+AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst)
+{
+  return [=](std::vector<Rectangle> covering, const Reference::Color& opaque)
+  {
+    if (lastFirst)
+    {
+      std::reverse(covering.begin(), covering.end());
+    }
+    std::vector<ColoredNode> nodes;
+    for (const Rectangle& rectangle : covering)
+    {
+      Insert(nodes, rectangle, nodeCount);
+    }
+    Reference::Color color = opaque;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      double light = 0;
+      for (const Rectangle& rectangle : covering)
+      {
+        color[c] *= 1 - rectangle.Alpha * (1 - rectangle.Transmission[c]);
+        const auto behind = std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth >= rectangle.Depth; });
+        light += (behind == nodes.begin() ? 1 : std::prev(behind)->Transmittance[c]) * rectangle.Alpha * rectangle.Rgb[c];
+      }
+      color[c] += std::min(light, 1.0);
+    }
+    return color;
+  };
 }
 
 constexpr double Bound = 2; // of 255: the framebuffer rounds, and fragments are rounded
@@ -126,6 +197,36 @@ TEST_P(TestTransmission, ComesAndGoes)
 
 INSTANTIATE_TEST_SUITE_P(Techniques, TestTransmission, testing::ValuesIn(Colored()),
   [](const auto& info) { return info.param.Name; });
+
+//------------------------------------------------------------------------------
+using TestTransmissionOfAdaptive = RenderTest;
+
+TEST_F(TestTransmissionOfAdaptive, CompressesThreeTransmittancesAtOnce)
+{
+  const AnalyticScene scene = RandomLayers(100, 75, 2, 40, 0.02, 0.8).Transmitting(12);
+  const Picture exact = scene.Compute(Reference::CompositeExact);
+  for (const char* memory : { "variable", "fixed" })
+  {
+    for (int nodes : { 1, 4, 8, 40 })
+    {
+      for (int samples : { 0, 4 })
+      {
+        SCOPED_TRACE(std::string(memory) + " " + std::to_string(nodes) + " " + std::to_string(samples));
+        View view(scene, samples);
+        view.SetPass(New("adaptive", { { "memory", memory }, { "nodes", std::to_string(nodes) } }));
+        const Picture drawn = view.Render();
+        if (!KeepsDrawOrder(view))
+        {
+          GTEST_SKIP() << "the driver inserts fragments in an order of its own";
+        }
+        const bool kept = memory[0] == 'v';
+        const PictureDifference difference = Compare(drawn, scene.Compute(ColoredAdaptive(static_cast<std::size_t>(nodes), kept)));
+        EXPECT_LE(difference.Largest, Bound) << difference;
+        EXPECT_EQ(Compare(drawn, exact).Largest <= Bound, nodes == 40);
+      }
+    }
+  }
+}
 
 //------------------------------------------------------------------------------
 class TestMeanTransmission

@@ -2,7 +2,7 @@
 // NODE_COUNT nodes of a depth and a transmittance.
 //
 // Stage 0 inserts each fragment into it. Stage 1 draws the geometry again and weights each fragment with what the function lets through
-// before it (Eq. 2); blending adds that up and multiplies the total transmittance.
+// before it (Eq. 2); blending adds that up and multiplies the total transmittance, with three channels in the alphas of three targets.
 //
 // Coincident fragments each have a node of their depth; the one drawn first has the last of them, and is hidden by the others. When it has
 // been weighted its node moves just behind that depth, so that the next fragment finds its own. That takes the same order in both stages, and
@@ -10,10 +10,11 @@
 //
 // In a multi-sampled window the shader runs once for each sample, whose function it changes.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, SAMPLES.  Gives: gatherFragment.
+// Needs: NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: gatherFragment.
 #define INSERTED_AS_DRAWN 1
 #include "Adaptive/Record.glsl"
 #include "Adaptive/Visibility.glsl"
+#include "Common/Opacity.glsl"
 #include "Common/Tile.glsl"
 
 uniform int gatherStage;
@@ -21,12 +22,12 @@ uniform int gatherStage;
 void loadVisibility(PixelRecord record, uint count, out Visibility visibility)
 {
   clearVisibility(visibility);
-  float last = 1.0;
+  Channels last = Channels(1.0);
 #define LOAD(k) \
   if (uint(k) < count) \
   { \
-    visibility.z[k] = uintBitsToFloat(recordWord(record, 2 * (k))); \
-    last = uintBitsToFloat(recordWord(record, 2 * (k) + 1)); \
+    visibility.z[k] = uintBitsToFloat(recordWord(record, NODE_WORDS * (k))); \
+    last = nodeTransmittance(record, k); \
   } \
   visibility.t[k] = last; // of nodes that are not in use, the total transmittance
   EACH_NODE(LOAD)
@@ -46,8 +47,8 @@ void storeVisibility(PixelRecord record, uint count, Visibility visibility)
 #define STORE(k) \
   if (uint(k) < count) \
   { \
-    setRecordWord(record, 2 * (k), floatBitsToUint(visibility.z[k])); \
-    setRecordWord(record, 2 * (k) + 1, floatBitsToUint(visibility.t[k])); \
+    setRecordWord(record, NODE_WORDS * (k), floatBitsToUint(visibility.z[k])); \
+    setNodeTransmittance(record, k, visibility.t[k]); \
   }
   EACH_NODE(STORE)
 #if ESTIMATE_ERROR
@@ -61,15 +62,15 @@ void storeVisibility(PixelRecord record, uint count, Visibility visibility)
 // What a fragment finds at its depth.
 struct Lookup
 {
-  float before;   // the transmittance before it
+  Channels before; // the transmittance before it
   int own;        // its node, if coincident is not 0:
   int coincident; // the nodes of its depth
 };
 
 Lookup lookUp(Visibility visibility, float depth)
 {
-  Lookup found = Lookup(1.0, 0, 0);
-  float inFront = 1.0;
+  Lookup found = Lookup(Channels(1.0), 0, 0);
+  Channels inFront = Channels(1.0);
   bool here;
 #define LOOK_UP(k) \
   here = visibility.z[k] == depth; \
@@ -82,26 +83,26 @@ Lookup lookUp(Visibility visibility, float depth)
   return found;
 }
 
-float visitPixel(PixelRecord record, float alpha, float depth)
+Channels visitPixel(PixelRecord record, Channels opacity, float depth)
 {
   uint count = recordCount(record);
   Visibility visibility;
   loadVisibility(record, count, visibility);
   if (gatherStage == 0)
   {
-    insertFragment(visibility, depth, alpha, int(count));
+    insertFragment(visibility, depth, opacity, int(count));
     storeVisibility(record, min(count + 1u, uint(NODE_COUNT)), visibility);
-    return 0.0;
+    return Channels(0.0);
   }
   Lookup found = lookUp(visibility, depth);
   if (found.coincident > 1)
   {
-    setRecordWord(record, 2 * found.own, floatBitsToUint(depth) + 1u);
+    setRecordWord(record, NODE_WORDS * found.own, floatBitsToUint(depth) + 1u);
   }
   return found.before;
 }
 
-void gatherFragment(vec4 color, float depth, out vec4 outputs[1])
+void gatherFragment(vec4 color, float depth, out vec4 outputs[TRANSMITTANCE_CHANNELS])
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
 #if SAMPLES > 1
@@ -109,10 +110,17 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[1])
 #else
   int index = 0;
 #endif
-  float before = 0.0;
+  Channels opacity = opacityOf(color);
+  Channels before = Channels(0.0);
   if (inTile(pixel))
   {
-    CRITICAL_SECTION(pixel, before = visitPixel(pixelRecord(pixel, index), color.a, depth))
+    CRITICAL_SECTION(pixel, before = visitPixel(pixelRecord(pixel, index), opacity, depth))
   }
-  outputs[0] = vec4(before * color.a * color.rgb, color.a);
+#if TRANSMITTANCE_CHANNELS == 3
+  outputs[0] = vec4(before * color.a * color.rgb, opacity.r);
+  outputs[1] = vec4(vec3(0.0), opacity.g);
+  outputs[2] = vec4(vec3(0.0), opacity.b);
+#else
+  outputs[0] = vec4(before * color.a * color.rgb, opacity);
+#endif
 }

@@ -9,12 +9,15 @@
 //   behind it lies infinity.
 // - NODE_REMOVAL_MIXED takes the cheaper of the two, node by node.
 //
+// With three channels (Common/Channels.glsl) nodes have three transmittances and common depths; the area is the mean of the three.
+//
 // ESTIMATE_ERROR 1: the areas that were lost are summed.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL.  Gives: Visibility, removeNode.
+// Needs: NODE_COUNT, NODE_REMOVAL, TRANSMITTANCE_CHANNELS.  Gives: Visibility, removeNode.
 #ifndef RemoveNode_glsl
 #define RemoveNode_glsl
 #include "Adaptive/EachNode.glsl"
+#include "Common/Channels.glsl"
 #include "Common/Language.glsl"
 #ifndef NODE_REMOVAL
 #error "RemoveNode.glsl needs NODE_REMOVAL"
@@ -31,7 +34,7 @@
 struct Visibility
 {
   float z[NODE_COUNT + 1];
-  float t[NODE_COUNT + 1];
+  Channels t[NODE_COUNT + 1];
   bool tied; // fragments of equal depth have come in
 #if ESTIMATE_ERROR
   float lost; // the areas of all removals
@@ -51,7 +54,7 @@ struct Removal
 
 void considerNode(INOUT(Visibility) v, INOUT(Removal) least, int k)
 {
-  float step = v.t[k - 1] - v.t[k];
+  float step = meanOf(v.t[k - 1] - v.t[k]);
 #if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
   float under = step * (v.z[k] - v.z[k - 1]);
   least.depth = under < least.area ? k : least.depth;
@@ -77,7 +80,7 @@ void removeNode(INOUT(Visibility) v)
 #if NODE_REMOVAL == NODE_REMOVAL_UNDERESTIMATE
   least.area = 1e30f;
 #else
-  least.area = (1.0f - v.t[0]) * (v.z[1] - v.z[0]);
+  least.area = (1.0f - meanOf(v.t[0])) * (v.z[1] - v.z[0]);
 #endif
 #define FIND_LEAST(i) considerNode(v, least, (i) + 1);
   EACH_NODE(FIND_LEAST)

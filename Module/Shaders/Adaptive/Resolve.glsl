@@ -12,7 +12,8 @@
 //
 // SHOW other than SHOW_PICTURE: the second walk gives way to Adaptive/Show.glsl.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, TOLERANCE, FINER_LEVEL, SHOW, COLOR_FORMAT.
+// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, TOLERANCE, FINER_LEVEL, SHOW, COLOR_FORMAT,
+// TRANSMITTANCE_CHANNELS.
 #ifndef EQUAL_DEPTHS
 #error "Adaptive/Resolve.glsl needs EQUAL_DEPTHS"
 #endif
@@ -33,13 +34,19 @@
 uniform float errorTolerance;
 #endif
 
-// Fragments that don't cover the sample take no node: nothing moves for what lies behind all of them.
-float nodeDepth(Fragment fragment, float alpha)
+// A fragment that hides nothing may add light.
+bool covers(Fragment fragment)
 {
-  return alpha > 0.0 ? fragment.depth : BEHIND_ALL_NODES;
+  return fragment.color != PackedColor(0u);
 }
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+// Fragments that don't cover the sample take no node: nothing moves for what lies behind all of them.
+float nodeDepth(Fragment fragment)
+{
+  return covers(fragment) ? fragment.depth : BEHIND_ALL_NODES;
+}
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   Visibility visibility;
   clearVisibility(visibility);
@@ -48,10 +55,10 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   uint cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    float alpha = unpackColor(fragment.color).opacity;
-    transmittance *= 1.0 - alpha;
-    insertFragment(visibility, nodeDepth(fragment, alpha), alpha, count);
-    count += alpha > 0.0 ? 1 : 0;
+    Channels opacity = unpackColor(fragment.color).opacity;
+    transmittance *= 1.0 - opacity;
+    insertFragment(visibility, nodeDepth(fragment), opacity, count);
+    count += covers(fragment) ? 1 : 0;
   }
 #if !EQUAL_DEPTHS
   if (visibility.tied)
@@ -77,9 +84,8 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    Surface surface = unpackColor(fragment.color);
-    float depth = nodeDepth(fragment, surface.opacity);
-    color += transmittanceBefore(visibility, depth) * surface.color;
+    float depth = nodeDepth(fragment);
+    color += transmittanceBefore(visibility, depth) * unpackColor(fragment.color).color;
 #if EQUAL_DEPTHS
     passNode(visibility, depth);
 #endif

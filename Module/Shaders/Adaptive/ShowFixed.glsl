@@ -5,7 +5,7 @@
 #include "Adaptive/Show.glsl"
 #include "Adaptive/Visibility.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
 #if SAMPLES > 1
   PixelRecord record = pixelRecord(pixel, gl_SampleID);

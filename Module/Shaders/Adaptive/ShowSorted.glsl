@@ -6,14 +6,14 @@
 #include "Common/FinishPixel.glsl"
 #include "Storage/Selected.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   uint count = 0u;
   Fragment fragment;
   uint cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    count += unpackColor(fragment.color).a > 0.0 ? 1u : 0u;
+    count += fragment.color != PackedColor(0u) ? 1u : 0u;
   }
   showPixel(0.0, 64, color, transmittance);
   finishPixel(pixel, count);

@@ -4,7 +4,7 @@
 // behind depth z[k] it is t[k]. Before z[0] it is 1: that node is implicit. There is one node more than NODE_COUNT, for the
 // fragment that has just come in. A node that is not in use lies at NODE_EMPTY and holds the total transmittance.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL.  Gives: Visibility, clearVisibility, insertFragment, transmittanceBefore,
+// Needs: NODE_COUNT, NODE_REMOVAL, TRANSMITTANCE_CHANNELS.  Gives: Visibility, clearVisibility, insertFragment, transmittanceBefore,
 // passNode, with ESTIMATE_ERROR 1 estimateError.
 #ifndef Visibility_glsl
 #define Visibility_glsl
@@ -22,7 +22,7 @@ void clearVisibility(OUT(Visibility) v)
 {
 #define CLEAR(k) \
   v.z[k] = NODE_EMPTY; \
-  v.t[k] = 1.0f;
+  v.t[k] = Channels(1.0f);
   EACH_NODE(CLEAR)
   CLEAR(NODE_COUNT)
   v.tied = false;
@@ -35,9 +35,9 @@ void clearVisibility(OUT(Visibility) v)
 
 // Multiplies vis(z) with the step of a fragment (Eq. 5). Of equal depths, the fragment that comes later is put behind, or in front
 // (INSERTED_AS_DRAWN). count fragments were inserted before this one.
-void insertFragment(INOUT(Visibility) v, float depth, float alpha, int count)
+void insertFragment(INOUT(Visibility) v, float depth, Channels alpha, int count)
 {
-  float passes = 1.0f - alpha;
+  Channels passes = 1.0f - alpha;
 #define INSERT_BEHIND(k) \
   v.tied = v.tied || v.z[(k) + 1] == depth; \
   v.t[(k) + 1] = STAYS_IN_FRONT(v.z[(k) + 1], depth) ? v.t[(k) + 1] : passes * v.t[k]; \
@@ -82,9 +82,9 @@ void passNode(INOUT(Visibility) v, float depth)
 }
 
 // vis at a depth (Eq. 6). Where fragments of equal depth have come in (v.tied), passNode follows.
-float transmittanceBefore(INOUT(Visibility) v, float depth)
+Channels transmittanceBefore(INOUT(Visibility) v, float depth)
 {
-  float before = 1.0f;
+  Channels before = Channels(1.0f);
 #define FIND_BEFORE(k) before = v.z[k] < depth ? v.t[k] : before;
   EACH_NODE(FIND_BEFORE)
   return before;

@@ -6,7 +6,7 @@
 //
 // Valid C++, too.
 //
-// Needs: TRANSMITTANCE_CHANNELS (1 or 3), COLOR_FORMAT where fragments are packed.  Gives: Channels, a float or a vec3, and PackedColor.
+// Needs: TRANSMITTANCE_CHANNELS (1 or 3), COLOR_FORMAT where fragments are packed.  Gives: Channels, a float or a vec3, meanOf, and PackedColor.
 #ifndef Channels_glsl
 #define Channels_glsl
 #ifndef TRANSMITTANCE_CHANNELS
@@ -17,6 +17,18 @@
 #define Channels vec3
 #else
 #define Channels float
+#endif
+
+#if TRANSMITTANCE_CHANNELS == 3
+float meanOf(vec3 channels)
+{
+  return dot(channels, vec3(1.0f / 3.0f));
+}
+#else
+float meanOf(float channel)
+{
+  return channel;
+}
 #endif
 
 // A fragment's colour and opacities as Common/Fragment.glsl packs them; 0 is a transparent one.

@@ -13,7 +13,7 @@ layout(location = 0, index = 1) out vec4 transmittanceOutput;
 
 void writeOutput(vec3 color, Channels transmittance)
 {
-  fragOutput0 = vec4(color, 1.0 - dot(transmittance, vec3(1.0 / 3.0)));
+  fragOutput0 = vec4(color, 1.0 - meanOf(transmittance));
   transmittanceOutput = vec4(transmittance, 0.0);
 }
 #else
