@@ -178,6 +178,9 @@ public:
   /// drawn has a transmission colour and the technique keeps them, else one.
   int GetChannels() const { return this->Transmission == Transmissions::Colored ? 3 : 1; }
 
+  /// How what Shaders/Common/Over.glsl gives is put over the opaque picture.
+  Blending GetOver() const { return this->GetChannels() == 3 ? Blending::Filter : Blending::Over; }
+
   /// What the resolves that follow see: WholePixel, or one sample (Shaders/Common/Samples.glsl); and if among is a level, only squares
   /// with pixels that were left to that, too.
   void SetSample(int sample, int among = -1);
@@ -224,7 +227,6 @@ private:
   static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
   bool Fail(const std::string& error);
   void ChooseTransmission();
-  Blending GetOver() const { return this->GetChannels() == 3 ? Blending::Filter : Blending::Over; }
   Defines GetOfferedDefines() const;
   void UseWholeViewportIfItFits();
   void UseWholeViewport();

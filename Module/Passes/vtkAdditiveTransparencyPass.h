@@ -6,6 +6,8 @@
  * opacity times its colour. A sum, so the order of the fragments does not matter and nothing is approximated; where it passes what the window
  * can show it saturates. For glow, sparks, and drawings like X-ray pictures.
  *
+ * Everything behind a surface is seen in any case: transmission colours change nothing.
+ *
  * Stages:
  * 1. Gather: blending adds opacity times colour to a buffer of floats, so that many faint surfaces are not lost to rounding (16 bytes a pixel
  *    and sample).
@@ -22,6 +24,8 @@ class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdditiveTransparencyPass : public vtkTr
 public:
   static vtkAdditiveTransparencyPass* New();
   vtkTypeMacro(vtkAdditiveTransparencyPass, vtkTranslucencyPass);
+
+  bool KeepsTransmissionColors() const override { return true; }
 
 protected:
   vtkAdditiveTransparencyPass() = default;

@@ -15,8 +15,16 @@ constexpr int LeastLayers = 1;
 constexpr int MostLayers = 32;
 
 // MultiLayer/Layers.glsl
-constexpr int WordsOfLayer = 3;
-constexpr int WordsOfAverage = 5;
+int WordsOfLayer(int channels)
+{
+  return channels == 3 ? 4 : 3;
+}
+
+int WordsOfAverage(int channels)
+{
+  return 3 + 2 * channels;
+}
+
 const char* const Tails[] = { "TAIL_MERGE", "TAIL_DROP", "TAIL_AVERAGE" };
 }
 
@@ -115,7 +123,8 @@ bool vtkMultiLayerAlphaBlendingPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   const vtkTranslucencyFrame::Defines layers{ { "LAYERS", std::to_string(this->Layers) },
     { "TAIL", Tails[this->Tail] } };
-  const int words = this->Layers * WordsOfLayer + (this->Tail == Average ? WordsOfAverage : 0);
+  const int channels = frame.GetChannels();
+  const int words = this->Layers * WordsOfLayer(channels) + (this->Tail == Average ? WordsOfAverage(channels) : 0);
   vtkTranslucencyFrame::Gathering gathering{ "MultiLayer/Gather.glsl", layers };
   gathering.Critical = true;
   return frame.UsePixels(this->Pixels, words, this->MemoryLimit) && frame.Draw(gathering, {}) &&

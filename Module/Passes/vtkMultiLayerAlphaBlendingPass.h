@@ -9,9 +9,11 @@
  *
  * Tail says what else can become of what does not find room: vtkKBufferPass leaves it out, vtkHybridTransparencyPass averages it.
  *
+ * Transmission colours are kept: a layer has a transmittance of red, green and blue each, and all of the above holds for each of them.
+ *
  * Stages:
  * 1. Gather: layers are inserted, and what is too much goes to the tail, under a critical section (12 bytes a layer, and 4, a pixel and
- *    sample; 20 more if Tail is Average).
+ *    sample; 20 more if Tail is Average; with transmission colours 16 a layer, and 36 more).
  * 2. Composite: the layers one behind the other, and the tail behind them.
  */
 #ifndef vtkMultiLayerAlphaBlendingPass_h
@@ -63,6 +65,7 @@ public:
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
   std::string GetMissing(vtkOpenGLRenderWindow* window) override;
+  bool KeepsTransmissionColors() const override { return true; }
 
 protected:
   vtkMultiLayerAlphaBlendingPass() = default;

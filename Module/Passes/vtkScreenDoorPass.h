@@ -9,7 +9,7 @@
  * A mask has n cells with thresholds (k + 1/2) / n. Over each period of it a flat layer of opacity a covers round(a * n) cells, and the mean over
  * a period differs from blending it by 1/(2 n) at most. Of several layers behind each other this does not hold: what is seen of a layer are
  * its cells that the masks of those in front leave free. With the same mask they are none that a layer of as much opacity in front leaves free;
- * hence Offset.
+ * hence Offset. What is drawn hides all behind it, so a transmission colour counts by its mean only, in how much is drawn.
  *
  * Stages:
  * 1. Gather: the nearest of the fragments that pass the mask, in a buffer of colours with a depth buffer of its own, which starts as the

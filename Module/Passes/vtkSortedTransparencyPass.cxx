@@ -172,20 +172,26 @@ void vtkSortedTransparencyPass::WarnOf(const std::set<std::string>& unsorted)
 //------------------------------------------------------------------------------
 bool vtkSortedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
 {
-  const vtkTranslucencyFrame::Gathering gathering{ "Sorted/Gather.glsl", {}, 1 };
+  const int targets = this->Operator == Under ? frame.GetChannels() : 1;
+  const vtkTranslucencyFrame::Gathering gathering{ "Sorted/Gather.glsl", { { "SORTED_TARGETS", std::to_string(targets) } }, targets };
   vtkTranslucencyFrame::Stage layers;
   layers.Parts = this->SortParts(frame);
   if (this->Operator == Over)
   {
-    layers.Blend = vtkTranslucencyFrame::Blending::Over;
+    layers.Blend = frame.GetOver();
     return frame.Draw(gathering, layers);
   }
   std::reverse(layers.Parts.begin(), layers.Parts.end());
   layers.Blend = vtkTranslucencyFrame::Blending::Under;
   layers.Targets = &this->Layers;
   layers.Clear = { { 0, 0, 0, 1 } };
-  return frame.UseTargets(this->Layers, { 4 }) && frame.Draw(gathering, layers) &&
-    frame.Composite("Sorted/Resolve.glsl", {}, { { "sortedLayers", &this->Layers, 0 } });
+  std::vector<vtkTranslucencyFrame::Input> inputs{ { "sortedLayers", &this->Layers, 0 } };
+  if (targets == 3)
+  {
+    inputs = { { "sortedRed", &this->Layers, 0 }, { "sortedGreen", &this->Layers, 1 }, { "sortedBlue", &this->Layers, 2 } };
+  }
+  const std::vector<int> formats(inputs.size(), 4);
+  return frame.UseTargets(this->Layers, formats) && frame.Draw(gathering, layers) && frame.Composite("Sorted/Resolve.glsl", {}, inputs);
 }
 
 //------------------------------------------------------------------------------

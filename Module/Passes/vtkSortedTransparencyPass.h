@@ -13,9 +13,13 @@
  * - Backface: of each object its back faces, then its front faces, by face culling: right for convex, closed objects whose polygons
  *   are turned outwards. The geometry goes through the GPU twice.
  *
+ * Transmission colours are kept, by both operators. Surfaces may then add more light than they hide: by Over a picture that passes what the
+ * window can show ends there at each layer, by Under in the end.
+ *
  * Stages, by the operator:
  * 1. Over (the default): back to front, blended into the window.
- * 1. Under: front to back, blended behind what is there already, into a buffer of floats (16 bytes a pixel and sample).
+ * 1. Under: front to back, blended behind what is there already, into a buffer of floats (16 bytes a pixel and sample; with transmission
+ *    colours into three, one a channel, since blending multiplies with the alpha of its own).
  * 2. Composite: that buffer over the opaque picture.
  * Both give the same picture, but that Over rounds it to the window's bytes at each layer, Under once, where the order among the polygons
  * of an object is given. Where it is not (polygons of an object behind each other, by Object), both draw them as they come: by Over the
@@ -72,6 +76,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  bool KeepsTransmissionColors() const override { return true; }
 
 protected:
   vtkSortedTransparencyPass();

@@ -113,7 +113,19 @@ std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
 bool vtkWeightedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   const vtkTranslucencyFrame::Defines method{ { "WEIGHTED_METHOD", Methods[this->Method] } };
-  vtkTranslucencyFrame::Gathering gathering{ "Weighted/Gather.glsl", method, 2 };
+  std::vector<int> formats{ 4, 1 };
+  std::vector<vtkTranslucencyFrame::Input> inputs{ { "weightedColors", &this->Sums, 0 }, { "weightedCounts", &this->Sums, 1 } };
+  if (frame.GetChannels() == 3)
+  {
+    formats = { 4, 4 };
+    if (this->Method == Blended)
+    {
+      formats.push_back(4);
+      inputs.push_back({ "weightedWeights", &this->Sums, 2 });
+    }
+  }
+  vtkTranslucencyFrame::Gathering gathering{ "Weighted/Gather.glsl", method, static_cast<int>(formats.size()) };
+  gathering.Values["WEIGHTED_TARGETS"] = std::to_string(formats.size());
   vtkTranslucencyFrame::Stage sums;
   sums.Targets = &this->Sums;
   if (this->Method == Blended)
@@ -124,9 +136,8 @@ bool vtkWeightedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
     sums.Values = { { "weightNear", static_cast<float>(this->DepthNear) },
       { "weightFar", static_cast<float>(this->DepthFar) } };
   }
-  return frame.UseTargets(this->Sums, { 4, 1 }) && frame.Draw(gathering, sums) &&
-    frame.Composite("Weighted/Resolve.glsl", method,
-      { { "weightedColors", &this->Sums, 0 }, { "weightedCounts", &this->Sums, 1 } });
+  return frame.UseTargets(this->Sums, formats) && frame.Draw(gathering, sums) &&
+    frame.Composite("Weighted/Resolve.glsl", method, inputs);
 }
 
 //------------------------------------------------------------------------------

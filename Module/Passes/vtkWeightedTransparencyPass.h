@@ -10,9 +10,12 @@
  * - Blended (the default): McGuire and Bavoil, "Weighted blended order-independent transparency" (JCGT 2013), Eq. 6. What shows through
  *   is exact; of colours, near ones count more.
  *
+ * Transmission colours are kept: red, green and blue have opacities, and so weights, of their own. Where all fragments hide next to nothing of a
+ * channel, their light adds up; Blended adds the sum of opacities times the weighted mean of their colours, which is what its equation tends to.
+ *
  * Stages:
  * 1. Gather: blending adds to two buffers: opacity-weighted colour and the product of 1 - opacity, or the sum of opacities (16 bytes a
- *    pixel and sample), and the sum of weights, or the number of fragments (4 bytes).
+ *    pixel and sample), and the sum of weights, or the number of fragments (4 bytes). With transmission colours they take 32 bytes, and 48 if the method is Blended.
  * 2. Composite: the sums become a colour.
  */
 #ifndef vtkWeightedTransparencyPass_h
@@ -72,6 +75,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  bool KeepsTransmissionColors() const override { return true; }
 
 protected:
   vtkWeightedTransparencyPass() = default;

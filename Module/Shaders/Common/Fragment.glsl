@@ -11,7 +11,7 @@
 #ifndef Fragment_glsl
 #define Fragment_glsl
 #include "Common/Channels.glsl"
-#include "Common/HalfFloat.glsl"
+#include "Common/ColorHalves.glsl"
 #include "Common/Opacity.glsl"
 #ifndef COLOR_FORMAT
 #error "Fragment.glsl needs COLOR_FORMAT"
@@ -44,7 +44,7 @@ PackedColor packColor(vec4 color)
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
   return uvec3(packUnorm4x8(color), packUnorm4x8(vec4(opacity, 0.0)), 0u);
 #else
-  return uvec3(packHalves(vec4(color.a * color.rgb, opacity.r)), packHalves(vec4(opacity.gb, 0.0, 0.0)).x);
+  return packColorHalves(color.a * color.rgb, opacity);
 #endif
 #elif COLOR_FORMAT == COLOR_FORMAT_RGBA8
   return uvec2(packUnorm4x8(color), 0u);
@@ -60,8 +60,9 @@ Surface unpackColor(PackedColor words)
   vec4 color = unpackUnorm4x8(words.x);
   return Surface(color.a * color.rgb, unpackUnorm4x8(words.y).rgb);
 #else
-  vec4 first = unpackHalves(words.xy);
-  return Surface(first.rgb, vec3(first.a, unpackHalves(uvec2(words.z, 0u)).xy));
+  Surface surface;
+  unpackColorHalves(words, surface.color, surface.opacity);
+  return surface;
 #endif
 #else
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8

@@ -3,16 +3,17 @@
 //
 // Of equal depths, the fragment that comes later is put in front, as in linked lists.
 //
-// Needs: LAYERS, TAIL, SAMPLES.  Gives: gatherFragment.
+// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: gatherFragment.
+#include "Common/Opacity.glsl"
 #include "MultiLayer/Layers.glsl"
 
 #if TAIL == TAIL_MERGE
 // The farther one behind the nearer one: the over operator of colours that are multiplied by their opacity.
-uvec2 mergeLayers(uvec2 nearer, uvec2 farther)
+PackedColor mergeLayers(PackedColor nearer, PackedColor farther)
 {
-  vec4 front = unpackHalves(nearer);
-  vec4 back = unpackHalves(farther);
-  return packHalves(vec4(front.rgb + front.a * back.rgb, front.a * back.a));
+  Content front = unpackContent(nearer);
+  Content back = unpackContent(farther);
+  return packContent(Content(front.color + front.transmittance * back.color, front.transmittance * back.transmittance));
 }
 #endif
 
@@ -24,14 +25,15 @@ void addToTail(PixelRecord record, Layer last, uint count)
   before.color = mergeLayers(before.color, last.color);
   storeLayer(record, LAYERS - 1, before);
 #elif TAIL == TAIL_AVERAGE
-  vec4 layer = unpackHalves(last.color);
-  Tail tail = Tail(vec4(0.0), 1.0);
+  Content layer = unpackContent(last.color);
+  Tail tail = Tail(vec3(0.0), Channels(0.0), Channels(1.0));
   if (count > uint(LAYERS))
   {
     tail = loadTail(record);
   }
-  tail.sums += vec4(layer.rgb, 1.0 - layer.a);
-  tail.transmittance *= layer.a;
+  tail.color += layer.color;
+  tail.opacity += 1.0 - layer.transmittance;
+  tail.transmittance *= layer.transmittance;
   storeTail(record, tail);
   setRecordCount(record, uint(LAYERS + 1));
 #endif
@@ -40,7 +42,7 @@ void addToTail(PixelRecord record, Layer last, uint count)
 void updatePixel(PixelRecord record, vec4 color, float depth)
 {
   uint count = recordCount(record);
-  Layer carried = Layer(depth, packHalves(vec4(color.a * color.rgb, 1.0 - color.a)));
+  Layer carried = Layer(depth, packContent(Content(color.a * color.rgb, 1.0 - opacityOf(color))));
   for (int i = 0; i < LAYERS; ++i)
   {
     if (uint(i) < count)

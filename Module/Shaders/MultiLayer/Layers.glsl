@@ -1,13 +1,14 @@
 // MultiLayer/Layers.glsl: the layers of a pixel as its record holds them, front to back.
 //
-// Three words a layer: depth, and as half floats the colour, multiplied by its opacity, with what the layer lets through. What becomes of
-// fragments that find no room is the TAIL:
+// Three words a layer: depth, and as half floats the colour, multiplied by its opacity, with what the layer lets through; four with three
+// channels of that (Common/Channels.glsl). What becomes of fragments that find no room is the TAIL:
 // - TAIL_MERGE: they are blended into the last layer (multi-layer alpha blending, Salvi and Vaidyanathan 2014).
 // - TAIL_DROP: they are left out (k-buffer, Bavoil et al. 2007).
 // - TAIL_AVERAGE: sums behind the layers, as five floats: opacity times colour, opacity, and the product of 1 - opacity (hybrid
-//   transparency, Maule et al. 2013). A record's count is then LAYERS + 1.
+//   transparency, Maule et al. 2013); nine with three channels. A record's count is then LAYERS + 1.
 //
-// Needs: LAYERS, TAIL, SAMPLES.  Gives: Layer, loadLayer, storeLayer, and with TAIL_AVERAGE Tail, loadTail, storeTail.
+// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Layer, loadLayer, storeLayer, Content, packContent, unpackContent, and with
+// TAIL_AVERAGE Tail, loadTail, storeTail.
 #ifndef Layers_glsl
 #define Layers_glsl
 #ifndef LAYERS
@@ -21,27 +22,56 @@
 #define TAIL_DROP 1
 #define TAIL_AVERAGE 2
 
+#if TRANSMITTANCE_CHANNELS == 3
+#define LAYER_WORDS 4
+#else
 #define LAYER_WORDS 3
+#endif
 #define TAIL_WORD (LAYERS * LAYER_WORDS)
 #if TAIL == TAIL_AVERAGE
-#define PIXEL_WORDS (TAIL_WORD + 5)
+#define PIXEL_WORDS (TAIL_WORD + 3 + 2 * TRANSMITTANCE_CHANNELS)
 #else
 #define PIXEL_WORDS TAIL_WORD
 #endif
-#include "Common/HalfFloat.glsl"
+#include "Common/ColorHalves.glsl"
 #include "Common/Pixels.glsl"
 
 struct Layer
 {
   float depth;
-  uvec2 color;
+  PackedColor color;
 };
+
+// What a layer adds to its pixel where nothing hides it, and what it lets through.
+struct Content
+{
+  vec3 color; // multiplied by its opacity
+  Channels transmittance;
+};
+
+PackedColor packContent(Content content)
+{
+  return packColorHalves(content.color, content.transmittance);
+}
+
+Content unpackContent(PackedColor words)
+{
+  Content content;
+  unpackColorHalves(words, content.color, content.transmittance);
+  return content;
+}
 
 Layer loadLayer(PixelRecord record, int index)
 {
   int word = index * LAYER_WORDS;
-  return Layer(uintBitsToFloat(recordWord(record, word)),
-    uvec2(recordWord(record, word + 1), recordWord(record, word + 2)));
+  Layer layer;
+  layer.depth = uintBitsToFloat(recordWord(record, word));
+  layer.color.x = recordWord(record, word + 1);
+  layer.color.y = recordWord(record, word + 2);
+#if TRANSMITTANCE_CHANNELS == 3
+  layer.color.z = recordWord(record, word + 3);
+#endif
+  return layer;
 }
 
 void storeLayer(PixelRecord record, int index, Layer layer)
@@ -50,33 +80,60 @@ void storeLayer(PixelRecord record, int index, Layer layer)
   setRecordWord(record, word, floatBitsToUint(layer.depth));
   setRecordWord(record, word + 1, layer.color.x);
   setRecordWord(record, word + 2, layer.color.y);
+#if TRANSMITTANCE_CHANNELS == 3
+  setRecordWord(record, word + 3, layer.color.z);
+#endif
 }
 
 #if TAIL == TAIL_AVERAGE
 struct Tail
 {
-  vec4 sums; // opacity times colour, opacity
-  float transmittance;
+  vec3 color; // sums: opacity times colour,
+  Channels opacity;
+  Channels transmittance; // and the product of 1 - opacity
 };
+
+float loadNumber(PixelRecord record, int index)
+{
+  return uintBitsToFloat(recordWord(record, TAIL_WORD + index));
+}
+
+void storeNumber(PixelRecord record, int index, float number)
+{
+  setRecordWord(record, TAIL_WORD + index, floatBitsToUint(number));
+}
+
+vec3 loadNumbers(PixelRecord record, int index)
+{
+  return vec3(loadNumber(record, index), loadNumber(record, index + 1), loadNumber(record, index + 2));
+}
+
+void storeNumbers(PixelRecord record, int index, vec3 numbers)
+{
+  storeNumber(record, index, numbers.x);
+  storeNumber(record, index + 1, numbers.y);
+  storeNumber(record, index + 2, numbers.z);
+}
 
 Tail loadTail(PixelRecord record)
 {
-  Tail tail;
-  for (int i = 0; i < 4; ++i)
-  {
-    tail.sums[i] = uintBitsToFloat(recordWord(record, TAIL_WORD + i));
-  }
-  tail.transmittance = uintBitsToFloat(recordWord(record, TAIL_WORD + 4));
-  return tail;
+#if TRANSMITTANCE_CHANNELS == 3
+  return Tail(loadNumbers(record, 0), loadNumbers(record, 3), loadNumbers(record, 6));
+#else
+  return Tail(loadNumbers(record, 0), loadNumber(record, 3), loadNumber(record, 4));
+#endif
 }
 
 void storeTail(PixelRecord record, Tail tail)
 {
-  for (int i = 0; i < 4; ++i)
-  {
-    setRecordWord(record, TAIL_WORD + i, floatBitsToUint(tail.sums[i]));
-  }
-  setRecordWord(record, TAIL_WORD + 4, floatBitsToUint(tail.transmittance));
+  storeNumbers(record, 0, tail.color);
+#if TRANSMITTANCE_CHANNELS == 3
+  storeNumbers(record, 3, tail.opacity);
+  storeNumbers(record, 6, tail.transmittance);
+#else
+  storeNumber(record, 3, tail.opacity);
+  storeNumber(record, 4, tail.transmittance);
+#endif
 }
 #endif
 

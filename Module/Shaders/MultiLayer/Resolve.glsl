@@ -1,10 +1,11 @@
 // MultiLayer/Resolve.glsl: the layers of a pixel, or a sample of it, one behind the other, and what its tail holds behind them: the mean colour,
 // as opaque as all of it together.
 //
-// Needs: LAYERS, TAIL, SAMPLES.
+// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.
+#include "Common/MeanColor.glsl"
 #include "MultiLayer/Layers.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
 #if SAMPLES > 1
   PixelRecord record = pixelRecord(pixel, gl_SampleID);
@@ -16,16 +17,16 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   {
     if (uint(i) < count)
     {
-      vec4 layer = unpackHalves(loadLayer(record, i).color);
-      color += transmittance * layer.rgb;
-      transmittance *= layer.a;
+      Content layer = unpackContent(loadLayer(record, i).color);
+      color += transmittance * layer.color;
+      transmittance *= layer.transmittance;
     }
   }
 #if TAIL == TAIL_AVERAGE
   if (count > uint(LAYERS))
   {
     Tail tail = loadTail(record);
-    color += transmittance * (1.0 - tail.transmittance) * tail.sums.rgb / max(tail.sums.a, 1e-30);
+    color += transmittance * meanColor(tail.color, tail.opacity, tail.transmittance);
     transmittance *= tail.transmittance;
   }
 #endif

@@ -4,17 +4,42 @@
 // The average lets through what its mean opacity does, applied once a fragment: u = (1 - mean)^n. Blended weights let through what is
 // right.
 //
-// Needs: WEIGHTED_METHOD, TARGET_SAMPLES.
+// Needs: WEIGHTED_METHOD, TARGET_SAMPLES, TRANSMITTANCE_CHANNELS.
 #ifndef WEIGHTED_METHOD
 #error "Weighted/Resolve.glsl needs WEIGHTED_METHOD"
 #endif
+#include "Common/MeanColor.glsl"
 #include "Common/Target.glsl"
 #include "Weighted/Methods.glsl"
 
 uniform Target weightedColors;
 uniform Target weightedCounts;
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+#if TRANSMITTANCE_CHANNELS == 3
+uniform Target weightedWeights;
+
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
+{
+  vec4 colors = fetchTarget(weightedColors, pixel);
+  vec4 opacities = fetchTarget(weightedCounts, pixel);
+#if WEIGHTED_METHOD == WEIGHTED_SUM
+  color = colors.rgb;
+  transmittance = 1.0 - opacities.rgb;
+  return colors.a > 0.0;
+#elif WEIGHTED_METHOD == WEIGHTED_AVERAGE
+  float count = colors.a;
+  transmittance = pow(max(vec3(0.0), 1.0 - opacities.rgb / max(count, 1.0)), vec3(count));
+  color = meanColor(colors.rgb, opacities.rgb, transmittance);
+  return count > 0.0;
+#else
+  vec4 weights = fetchTarget(weightedWeights, pixel);
+  transmittance = vec3(colors.a, opacities.a, weights.a);
+  color = meanColor(colors.rgb * opacities.rgb / max(weights.rgb, 1e-30), opacities.rgb, transmittance);
+  return weights.r > 0.0;
+#endif
+}
+#else
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   vec4 sums = fetchTarget(weightedColors, pixel);
   float count = fetchTarget(weightedCounts, pixel).r;
@@ -23,12 +48,13 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   transmittance = 1.0 - sums.a;
 #elif WEIGHTED_METHOD == WEIGHTED_AVERAGE
   transmittance = pow(max(0.0, 1.0 - sums.a / max(count, 1.0)), count);
-  color = (1.0 - transmittance) * sums.rgb / max(sums.a, 1e-30);
+  color = meanColor(sums.rgb, sums.a, transmittance);
 #else
   transmittance = sums.a;
-  color = (1.0 - transmittance) * sums.rgb / max(count, 1e-30);
+  color = meanColor(sums.rgb, count, transmittance);
 #endif
   return count > 0.0;
 }
+#endif
 
 #include "Common/Composite.glsl"
