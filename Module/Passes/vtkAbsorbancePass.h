@@ -95,6 +95,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  bool KeepsTransmissionColors() const override { return this->Memory == Variable; }
 
 protected:
   vtkAbsorbancePass() = default;
