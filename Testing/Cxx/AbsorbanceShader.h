@@ -1,5 +1,6 @@
 /**
- * Module/Shaders/Fourier and OpacityShadowMap, compiled as C++: the text that the GPU runs, once for each number of terms that CMakeLists.txt lists.
+ * Module/Shaders/Fourier and OpacityShadowMap, compiled as C++: the text that the GPU runs, once for each number of terms
+ * that CMakeLists.txt lists and of channels.
  */
 #ifndef AbsorbanceShader_h
 #define AbsorbanceShader_h
@@ -18,7 +19,8 @@ struct AbsorbanceVariant
 {
   std::string Technique; // Fourier or Slices
   int Terms;             // pairs of cosine and sine, or slices
-  std::vector<float> (*GetVisibilities)(const std::vector<Absorber>&); // of each
+  int Channels;
+  std::vector<float> (*GetVisibilities)(const std::vector<Absorber>&); // of each, in its last channel; what hides in the others is different
 };
 
 /// All that were compiled.

@@ -406,6 +406,50 @@ TEST_F(TestStochastic, GetsTwiceAsCloseWithFourTimesTheFrames)
 }
 
 //------------------------------------------------------------------------------
+// Transmission colours are taken by their mean, which is what the frames come nearer to.
+TEST_F(TestStochastic, GetsCloseToTheMeanOfTransmissionColors)
+{
+  const AnalyticScene scene = RandomLayers(80, 60, 17, 12, 0.1, 0.7).Transmitting(18);
+  const Picture exact = scene.MeanTransmission().Compute(Reference::CompositeExact);
+  for (bool correction : { false, true })
+  {
+    SCOPED_TRACE(correction ? "with alpha correction" : "without");
+    double before = 0;
+    for (int frames : { 16, 64, 256 })
+    {
+      auto pass = NewPass(8, correction);
+      pass->SetAccumulate(1000);
+      const double error = Compare(DrawFrames(scene, pass, frames), exact).RootMeanSquare;
+      EXPECT_EQ(TakeMessages().size(), 1u);
+      EXPECT_LE(error, frames > 16 ? before / 1.6 : 0.05) << frames;
+      before = error;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A surface that hides nothing adds its light, alone and in front of another.
+TEST_F(TestStochastic, AddsTheLightOfWhiteTransmission)
+{
+  Rectangle white = Whole(0.25, { { 0.4, 0.2, 0.1 } }, 0.5);
+  white.Transmission = { { 1, 1, 1 } };
+  Rectangle black = Whole(0.5, { { 0, 0, 0 } }, 0.5);
+  black.Right = 20;
+  const AnalyticScene scene = Layers({ white, black });
+  for (bool correction : { false, true })
+  {
+    const Picture drawn = Draw(scene, NewPass(8, correction));
+    EXPECT_EQ(TakeMessages().size(), 1u);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double light = 0.5 * white.Rgb[c];
+      EXPECT_NEAR(drawn.At(10, 15, c), 255 * (light + 0.5 * scene.Background[c]), 1) << c;
+      EXPECT_NEAR(drawn.At(30, 15, c), 255 * (light + scene.Background[c]), 1) << c;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_F(TestStochastic, StopsDrawingGeometryWhenAllFramesAreThere)
 {
   View view(RandomLayers(100, 80, 15, 8, 0.1, 0.6));

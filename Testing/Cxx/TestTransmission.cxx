@@ -57,6 +57,29 @@ Technique Layers(const std::string& name, int layers, Tail tail)
     tail == Tail::Merge ? 3.0 : 2.0 };
 }
 
+// Sums of absorbance, with a pixel's own bounds. No channel gets more light than all fragments give together.
+Technique Absorbance(const std::string& technique, const std::string& option, int terms, bool corrected,
+  const std::function<double(int, double, double)>& share)
+{
+  const auto compute = [=](const std::vector<Reference::Fragment>& fragments)
+  {
+    const auto shareOf = [=](double at, double before) { return share(terms, at, before); };
+    Reference::Pixel pixel = Reference::CompositeAbsorbance(fragments, shareOf, {}, corrected);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      double light = 0;
+      for (const Reference::Fragment& fragment : fragments)
+      {
+        light += fragment.Alpha * fragment.Rgb[c];
+      }
+      pixel.Rgb[c] = std::min(pixel.Rgb[c], light);
+    }
+    return pixel;
+  };
+  return { technique + std::to_string(terms) + (corrected ? "" : "Uncorrected"), technique,
+    { { option, std::to_string(terms) }, { "alpha_correction", corrected ? "on" : "off" } }, compute };
+}
+
 // Those that keep three channels, each of which is what the technique's theory says for it alone.
 std::vector<Technique> Colored()
 {
@@ -74,7 +97,13 @@ std::vector<Technique> Colored()
       {
         return Reference::CompositeWeightedBlended(
           fragments, [](double depth) { return std::max(1e-2, 3e3 * std::pow(1 - depth, 3)); });
-      } } };
+      } },
+    Absorbance("fourier", "coefficients", 1, true, Reference::FourierShare),
+    Absorbance("fourier", "coefficients", 4, false, Reference::FourierShare),
+    Absorbance("fourier", "coefficients", 15, true, Reference::FourierShare),
+    Absorbance("shadowmap", "slices", 5, true, Reference::SliceShare),
+    Absorbance("shadowmap", "slices", 16, false, Reference::SliceShare),
+    Absorbance("shadowmap", "slices", 32, true, Reference::SliceShare) };
 }
 
 struct Scene
@@ -370,14 +399,82 @@ TEST_F(TestTransmissionColor, FiltersWhatLiesBehind)
   scene.Background = { { 102 / 255.0, 51 / 255.0, 153 / 255.0 } };
   scene.Translucent = { { { 0, 0, 20, 30, 0.25, { { 0.2, 0, 0 } }, 0.5, { { 1, 1, 1 } } } },
     { { 20, 0, 40, 30, 0.25, { { 0, 0, 0 } }, 1, { { 1, 0, 0.5 } } } } };
-  const Picture drawn = Draw(scene, New("exact"));
-  const auto at = [&drawn](int x) { return std::vector<double>(drawn.Rgb.begin() + 3 * x, drawn.Rgb.begin() + 3 * x + 3); };
   const std::vector<double> adds{ 102 + 25.5, 51, 153 };
   const std::vector<double> filters{ 102, 0, 76.5 };
-  for (std::size_t c = 0; c < 3; ++c)
+  for (const Technique& technique : Colored())
   {
-    EXPECT_NEAR(at(10)[c], adds[c], 1);
-    EXPECT_NEAR(at(30)[c], filters[c], 1);
+    SCOPED_TRACE(technique.Name);
+    const Picture drawn = Draw(scene, New(technique.Technique, technique.Options));
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(drawn.At(10, 15, c), adds[c], 1);
+      EXPECT_NEAR(drawn.At(30, 15, c), filters[c], 1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of many surfaces that hide nothing, more than what registers take, all light is there, and that behind a surface that hides red lacks half of its red.
+TEST_F(TestTransmissionColor, WhiteAddsLight)
+{
+  AnalyticScene scene;
+  scene.Width = 40;
+  scene.Height = 30;
+  scene.Background = { { 102 / 255.0, 51 / 255.0, 153 / 255.0 } };
+  for (int i = 1; i <= 40; ++i)
+  {
+    scene.Translucent.push_back({ { 0, 0, 40, 30, 0.5 + i / 128.0, { { 0.25, 0.125, 0.25 } }, 1 / 32.0, { { 1, 1, 1 } } } });
+  }
+  scene.Translucent.push_back({ { 20, 0, 40, 30, 1 / 128.0, { { 0, 0, 0 } }, 0.5, { { 0, 1, 1 } } } });
+  const std::vector<double> light{ 40 * 0.25 / 32 * 255, 40 * 0.125 / 32 * 255, 40 * 0.25 / 32 * 255 };
+  for (const Technique& technique : Colored())
+  {
+    SCOPED_TRACE(technique.Name);
+    const Picture drawn = Draw(scene, New(technique.Technique, technique.Options));
+    for (int c = 0; c < 3; ++c)
+    {
+      const double whole = light[c] + 255 * scene.Background[c];
+      EXPECT_NEAR(drawn.At(10, 15, c), whole, 1.5) << c;
+      if (c > 0 || technique.Technique != "fourier") // whose series rise slowly
+      {
+        EXPECT_NEAR(drawn.At(30, 15, c), c == 0 ? whole / 2 : whole, 1.5) << c;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Two black surfaces, so close that they seem to hide each other, do not make the light before them brighter than it is.
+TEST_F(TestTransmissionColor, WhiteDoesNotDazzle)
+{
+  const auto whole = [](double depth, double color, double alpha, double transmission) {
+    return Layer{ { 0, 0, 40, 30, depth, { { color, color, color } }, alpha, { { transmission, transmission, transmission } } } };
+  };
+  AnalyticScene scene;
+  scene.Width = 40;
+  scene.Height = 30;
+  scene.Translucent = { whole(0.125, 0.25, 0.5, 1), whole(0.25, 0, 1 / 64.0, 0), whole(0.5, 0, 0.99, 0), whole(0.5 + 1 / 4096.0, 0, 0.99, 0),
+    whole(0.875, 0, 1 / 64.0, 0) };
+  for (const Technique& technique : Colored())
+  {
+    SCOPED_TRACE(technique.Name);
+    EXPECT_LE(Draw(scene, New(technique.Technique, technique.Options)).At(20, 15, 0), 255 * 0.125 + 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Targets of a fixed size have room for one transmittance.
+TEST_F(TestTransmissionColor, OfSumsInFixedMemoryIsTakenByItsMean)
+{
+  const AnalyticScene scene = RandomLayers(100, 75, 2, 30, 0.02, 0.8).Transmitting(12);
+  for (const std::string technique : { "fourier", "shadowmap" })
+  {
+    const Picture drawn = Draw(scene, New(technique, { { "memory", "fixed" } }));
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find("taken by their mean"), std::string::npos) << messages[0];
+    const PictureDifference difference = Compare(drawn, Draw(scene.MeanTransmission(), New(technique)));
+    EXPECT_LE(difference.Largest, Bound) << difference;
   }
 }
 

@@ -13,7 +13,7 @@
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   Sums sums;
   clearSums(sums);
@@ -24,7 +24,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    bound(sums, fragment.depth, unpackColor(fragment.color).opacity);
+    bound(sums, fragment.depth, unpackColor(fragment.color));
   }
   unread |= cursor;
 #endif
@@ -32,9 +32,9 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
-    float alpha = unpackColor(fragment.color).opacity;
-    absorb(sums, fragment.depth, alpha);
-    count += alpha > 0.0 ? 1u : 0u;
+    Surface surface = unpackColor(fragment.color);
+    absorb(sums, fragment.depth, surface.opacity);
+    count += isThere(surface) ? 1u : 0u;
   }
   unread |= cursor;
   cursor = firstFragment(pixel);
@@ -48,7 +48,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     return false;
   }
   transmittance = sums.transmittance;
-  color = correctedColor(sums.color, sums.weights, transmittance);
+  color = colorOf(sums);
   finishPixel(pixel, count);
   return count > 0u;
 }

@@ -10,7 +10,7 @@
 #include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   Block block;
   uint count;
@@ -32,7 +32,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
 #if ABSORBANCE_BOUNDS == ABSORBANCE_BOUNDS_FRAGMENTS
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
-    bound(sums, block.depth[i], surfaces[i].opacity);
+    bound(sums, block.depth[i], surfaces[i]);
   }
 #endif
   for (int i = 0; i < BLOCK_SIZE; ++i)
@@ -44,7 +44,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
     weigh(sums, block.depth[i], surfaces[i]);
   }
   transmittance = sums.transmittance;
-  color = correctedColor(sums.color, sums.weights, transmittance);
+  color = colorOf(sums);
   finishPixel(pixel, count);
   return count > 0u;
 }

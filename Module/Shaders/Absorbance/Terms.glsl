@@ -9,13 +9,16 @@
 // An opaque fragment would absorb without end. No absorbance is more than ln(1024): what is behind shows through by less than a quarter of
 // 1/255.
 //
+// With three channels (Common/Channels.glsl) there are as many absorbances, sums and visibilities, of one basis.
+//
 // Valid C++, too.
 //
-// Needs: TERM_VECTORS (1 to 8), of four terms each.  Gives: Basis, Terms, absorbanceOf, relativeDepth, clearTerms, addToTerms,
-// visibilityOf.
+// Needs: TERM_VECTORS (1 to 8), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Basis, Terms, absorbanceOf, relativeDepth, clearTerms,
+// addToTerms, visibilityOf.
 #ifndef Terms_glsl
 #define Terms_glsl
 #include "Absorbance/EachVector.glsl"
+#include "Common/Channels.glsl"
 #include "Common/Language.glsl"
 
 #define LEAST_TRANSMITTANCE (1.0f / 1024.0f)
@@ -27,12 +30,39 @@ struct Basis
   vec4 integral[TERM_VECTORS];
 };
 
+// Four sums of each channel, what a fragment adds to them, and the scalar product of each channel's with four of a basis.
+#if TRANSMITTANCE_CHANNELS == 3
+#define TermVector mat3x4
+
+TermVector spread(vec4 density, Channels absorbance)
+{
+  return outerProduct(density, absorbance);
+}
+
+Channels integrate(TermVector sums, vec4 integral)
+{
+  return integral * sums;
+}
+#else
+#define TermVector vec4
+
+TermVector spread(vec4 density, Channels absorbance)
+{
+  return absorbance * density;
+}
+
+Channels integrate(TermVector sums, vec4 integral)
+{
+  return dot(sums, integral);
+}
+#endif
+
 struct Terms
 {
-  vec4 sums[TERM_VECTORS];
+  TermVector sums[TERM_VECTORS];
 };
 
-float absorbanceOf(float alpha)
+Channels absorbanceOf(Channels alpha)
 {
   return -log(max(1.0f - alpha, LEAST_TRANSMITTANCE));
 }
@@ -46,21 +76,21 @@ float relativeDepth(float depth, vec2 range)
 
 void clearTerms(OUT(Terms) terms)
 {
-#define CLEAR_TERMS(i) terms.sums[i] = vec4(0.0f);
+#define CLEAR_TERMS(i) terms.sums[i] = TermVector(0.0f);
   EACH_VECTOR(CLEAR_TERMS)
 }
 
-void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, float absorbance)
+void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
 {
-#define ADD_TO_TERMS(i) terms.sums[i] += absorbance * basis.density[i];
+#define ADD_TO_TERMS(i) terms.sums[i] += spread(basis.density[i], absorbance);
   EACH_VECTOR(ADD_TO_TERMS)
 }
 
 // vis at the depth of a fragment that has added this absorbance.
-float visibilityOf(INOUT(Terms) terms, INOUT(Basis) basis, float absorbance)
+Channels visibilityOf(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
 {
-  float inFront = 0.0f;
-#define ADD_IN_FRONT(i) inFront += dot(terms.sums[i] - absorbance * basis.density[i], basis.integral[i]);
+  Channels inFront = Channels(0.0f);
+#define ADD_IN_FRONT(i) inFront += integrate(terms.sums[i] - spread(basis.density[i], absorbance), basis.integral[i]);
   EACH_VECTOR(ADD_IN_FRONT)
   return exp(-max(inFront, 0.0f)); // a truncated series may fall below 0
 }

@@ -3,8 +3,12 @@
 // A Range grows to the nearest and the farthest depth; the terms take the fragments; and their colours are summed, weighted with vis(z) and opacity.
 // Fragments that don't cover the sample have opacity 0 and change nothing.
 //
-// Needs: basisAt and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives: Sums, clearSums, bound, absorb, weigh,
-// and what Absorbance/Range.glsl and Absorbance/Correct.glsl give.
+// With three channels a fragment may add light without hiding anything, and then has no part in the weights by which light is scaled: of a few
+// surfaces close behind it, each of which seems to hide the others, they may be so small that it would dazzle. So no channel gets more light
+// than all fragments give together.
+//
+// Needs: basisAt and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives: Sums, clearSums, isThere, bound,
+// absorb, weigh, colorOf, and what Absorbance/Range.glsl gives.
 #ifndef Weigh_glsl
 #define Weigh_glsl
 #include "Absorbance/Correct.glsl"
@@ -15,9 +19,12 @@ struct Sums
 {
   vec2 range; // nearest and farthest depth
   Terms terms;
-  float transmittance;
+  Channels transmittance;
   vec3 color;
-  float weights;
+  Channels weights;
+#if TRANSMITTANCE_CHANNELS == 3
+  vec3 light; // of all fragments, hidden or not
+#endif
 };
 
 void clearSums(out Sums sums)
@@ -28,18 +35,31 @@ void clearSums(out Sums sums)
   sums.range = vec2(1.0, 0.0);
 #endif
   clearTerms(sums.terms);
-  sums.transmittance = 1.0;
+  sums.transmittance = Channels(1.0);
   sums.color = vec3(0.0);
-  sums.weights = 0.0;
+  sums.weights = Channels(0.0);
+#if TRANSMITTANCE_CHANNELS == 3
+  sums.light = vec3(0.0);
+#endif
 }
 
-void bound(inout Sums sums, float depth, float alpha)
+// Whether the fragment covers the sample: it hides something, or adds light.
+bool isThere(Surface surface)
+{
+#if TRANSMITTANCE_CHANNELS == 3
+  return surface.opacity != vec3(0.0) || surface.color != vec3(0.0);
+#else
+  return surface.opacity > 0.0;
+#endif
+}
+
+void bound(inout Sums sums, float depth, Surface surface)
 {
   float z = linearDepth(depth);
-  sums.range = alpha > 0.0 ? vec2(min(sums.range.x, z), max(sums.range.y, z)) : sums.range;
+  sums.range = isThere(surface) ? vec2(min(sums.range.x, z), max(sums.range.y, z)) : sums.range;
 }
 
-void absorb(inout Sums sums, float depth, float alpha)
+void absorb(inout Sums sums, float depth, Channels alpha)
 {
   Basis basis;
   basisAt(relativeDepth(linearDepth(depth), sums.range), basis);
@@ -51,9 +71,21 @@ void weigh(inout Sums sums, float depth, Surface surface)
 {
   Basis basis;
   basisAt(relativeDepth(linearDepth(depth), sums.range), basis);
-  float visibility = visibilityOf(sums.terms, basis, absorbanceOf(surface.opacity));
+  Channels visibility = visibilityOf(sums.terms, basis, absorbanceOf(surface.opacity));
   sums.color += visibility * surface.color;
   sums.weights += visibility * surface.opacity;
+#if TRANSMITTANCE_CHANNELS == 3
+  sums.light += surface.color;
+#endif
+}
+
+vec3 colorOf(Sums sums)
+{
+  vec3 color = correctedColor(sums.color, sums.weights, sums.transmittance);
+#if TRANSMITTANCE_CHANNELS == 3
+  color = min(color, sums.light);
+#endif
+  return color;
 }
 
 #endif
