@@ -26,6 +26,30 @@
  * Fragments of equal depth are put one behind the other in the order of the list. Nodes live in registers only: NodeCount changes
  * no memory.
  *
+ * The error of a pixel is estimated by the areas that its removals have lost (Eq. 7), summed, over the distance in window depth between its nearest
+ * and its farthest fragment: at least the mean error of transmittance there, 0 to 1, and 0 with no more fragments than nodes. Show draws it, and
+ * Tolerance gives pixels more nodes until it is small. It ranks pixels well: with 4 or 8 nodes, its rank correlation with the difference from the
+ * exact picture is 0.87 to 0.94 on the frog and on 300 rectangles (with linear depths the same, without the distance no more). It is no bound of
+ * a colour: surfaces that lie close together have little area between them, and may differ in colour by all there is. Between coincident
+ * ones there is none at all: without a Tolerance, the estimate does not see what their merging costs.
+ *
+ * From 4 nodes on, at 400x300 (frog 640x360; the differences of 300 rectangles 800x600): mean nodes of a pixel, root mean square and largest of all
+ * channels' differences from exact in percent of the full range, time where plain blending is 1 (software rasterizer with two busy cores; exact:
+ * 1.2 and 4.1):
+ *
+ * |               | frog's tissues, to 24 deep | 1200 rectangles, to 73 deep | 300 rectangles, to 24 |
+ * | Tolerance     | nodes, RMS, largest, time  | nodes, RMS, largest, time   | nodes, RMS, largest   |
+ * | ------------- | -------------------------- | --------------------------- | --------------------- |
+ * | 0             | to 4, 1.95, 36, 1.2        | to 4, 14.9, 41, 3.2         | to 4, 4.90, 24        |
+ * | 0.03          | 3.7, 1.49, 36, 1.1         | 9.7, 4.70, 22, 5.4          | 5.4, 2.33, 20         |
+ * | 0.01          | 4.2, 1.01, 31, 1.2         | 13.7, 1.80, 9, 6.4          | 6.5, 1.25, 10         |
+ * | 0.001         | 5.0, 0.67, 25, 1.3         | 24.5, 0.36, 5, 8.5          | 8.1, 0.28, 5          |
+ * | 0.0001        | 5.2, 0.56, 25, 1.2         | 28.0, 0.19, 4, 10.4         | 8.3, 0.14, 5          |
+ * | 0, 64 nodes   | all, 0, 0, 1.3             | all, 0.00, 0.4, 5.2         | all, 0, 0             |
+ *
+ * So a tolerance saves nodes, and registers with them; time it costs, for each step draws anew. From the default's 16 nodes on, 0.001 costs none
+ * on the frog, and 1.6 times as long as without on the 1200 rectangles (0.34 and 5 percent from exact instead of 1.65 and 9).
+ *
  * In fixed memory (section 4), 8 bytes a node and 20 more, a pixel and sample, however many fragments there are:
  * 1. Visibility: the geometry is drawn, and each fragment inserted into the function of its pixel, under a critical section.
  * 2. Shading: the geometry is drawn again, and each fragment's colour weighted with its opacity and vis at its depth; blending sums it
@@ -80,7 +104,8 @@ public:
    * What a pixel's error may be, as its estimate tells (see above), 0 to 1. 0, the default, sets no limit: every pixel has NodeCount nodes. Else
    * pixels start with NodeCount nodes, and those with a larger estimate are drawn anew with twice as many, up to 64, and then exactly, by sorting
    * their fragments. The smaller NodeCount is, the fewer nodes most pixels take. Only where Memory is Variable: in fixed memory a pixel can't be
-   * drawn anew. Together with that, or outside its range, a value is an error and changes nothing.
+   * drawn anew. Together with that, or outside its range, a value is an error and changes nothing. Pixels in which fragments coincide and that have
+   * more of them than nodes are drawn exactly.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
