@@ -23,11 +23,11 @@
  * Both draw the same picture, but for the rounding of stored colours. Volumes are divided at surfaces by Variable only. Lists too long for a driver's
  * loops (some 20,000 fragments of a pixel) are sorted and drawn exactly.
  *
- * Transmission colours (SetTransmissionColor): Variable sums the absorbances of red, green and blue each, and corrects each channel. Light of a surface
- * that hides nothing is never more than all fragments give together. Fixed takes their mean: three times the terms, with three transmittances, fit
- * into the 8 targets of a drawing for few terms only. Of 300 rectangles with colours from 0 to 0.9 (400x300), Variable is as near to the exact picture
- * as without colours, 0.48 % (Fourier) and 0.44 % (shadow map), Fixed is off by 4.6 %. Variable takes 1.6 and 1.7 times as long as without, where
- * vtkABufferPass takes 1.4 times.
+ * Transmission colours (SetTransmissionColor): Variable sums the absorbances of red, green and blue each, and corrects each channel. Light of what
+ * hides nothing is never more than all fragments give together. Fixed takes their mean: three times the terms, with three transmittances, fit
+ * into the 8 targets of a drawing for few terms only. Of 300 rectangles with colours from 0 to 0.9 (400x300), Variable is as near to the exact
+ * picture as without colours, 0.48 % (Fourier) and 0.44 % (shadow map), Fixed is off by 4.6 %. Variable takes 1.6 and 1.7 times as long,
+ * vtkABufferPass 1.4 times as long as without.
  *
  * Distance from the exact picture, root mean square of all channels in percent of the full range (400x300 and 640x360):
  *

@@ -24,8 +24,8 @@
  *
  * Transmission colours (SetTransmissionColor) are taken by their mean, and so Accumulate comes nearer to the exact picture of the means. Depth
  * samples of each channel (McGuire and Enderton 2011, "Colored stochastic shadow maps") would be three times as many: more drawings of the geometry
- * from 12 on, and three transmittances that are multiplied in a buffer of their own. Of 300 rectangles with colours from 0 to 0.9 the picture is off by
- * 4.85 % (root mean square of all channels in percent of the full range), without colours by 1.6 %; the time is the same.
+ * from 12 on, and three transmittances that are multiplied in a buffer of their own. Of 300 rectangles with colours from 0 to 0.9 the picture is off
+ * by 4.85 % (root mean square of all channels in percent of the full range), without colours by 1.6 %; the time is the same.
  *
  * Randomness is a hash of the pixel, the seed, and the fragment's depth and colour: the same picture every time, in any order of drawing.
  * The price: fragments of the same depth and colour in one pixel, as of two identical surfaces, cover the same samples, and hide

@@ -414,7 +414,7 @@ TEST_F(TestTransmissionColor, FiltersWhatLiesBehind)
 }
 
 //------------------------------------------------------------------------------
-// Of many surfaces that hide nothing, more than what registers take, all light is there, and that behind a surface that hides red lacks half of its red.
+// Of many surfaces that hide nothing, more than what registers take, all light is there; half of its red lacks behind one that hides red.
 TEST_F(TestTransmissionColor, WhiteAddsLight)
 {
   AnalyticScene scene;
