@@ -35,7 +35,11 @@ constexpr int Back = 2;
 // Shaders/Peel/Buckets.glsl
 constexpr int NumberOfBuckets = 8;
 constexpr int BucketSize = 4;
-constexpr int WordsOfRecord = 8 + NumberOfBuckets * BucketSize * 3;
+
+int WordsOfRecord(int channels)
+{
+  return 7 + channels + NumberOfBuckets * BucketSize * (channels == 3 ? 4 : 3);
+}
 
 vtkTranslucencyFrame::Gathering GetGathering(int method)
 {
@@ -303,7 +307,7 @@ bool vtkDepthPeelPass::PeelBuckets(vtkTranslucencyFrame& frame)
 
   bool left = true;
   bool good =
-    frame.UsePixels(this->Buckets, WordsOfRecord, this->MemoryLimit) && frame.DrawScreen("Peel/StartBuckets.glsl", buckets, {});
+    frame.UsePixels(this->Buckets, WordsOfRecord(frame.GetChannels()), this->MemoryLimit) && frame.DrawScreen("Peel/StartBuckets.glsl", buckets, {});
   while (left && good)
   {
     good = frame.Draw(gathering, {}) && frame.DrawScreen("Peel/MergeBuckets.glsl", merge, {}, &left);

@@ -33,10 +33,13 @@
  * one: this does what the paper's second method does by a histogram, without a drawing to find it.
  *
  * Stages of BucketSort:
- * 1. Gather: fragments go to the buckets, or if their pixel has given all Layers and Tail is Average, to its tail (420 bytes a pixel and sample).
+ * 1. Gather: fragments go to the buckets, or if their pixel has given all Layers and Tail is Average, to its tail (420 bytes a pixel and sample, with transmission colours 556).
  * 2. Merge, over the screen: the layers that are right are put behind those that have been peeled, and the buckets are made ready for what
  *    is left. Stages 1 and 2 are repeated until nothing is left, which an occlusion query tells.
  * 3. Composite.
+ *
+ * Transmission colours: BucketSort keeps three transmittances, the others take the mean: blending to several
+ * buffers at once has no way to put coincident fragments over each other channel by channel.
  *
  * On the software rasterizer of a machine with two cores that was busy with other work, one run each, 1280x720
  * (`translucency bench`):
@@ -141,6 +144,7 @@ public:
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
   std::string GetMissing(vtkOpenGLRenderWindow* window) override;
+  bool KeepsTransmissionColors() const override { return this->Method == BucketSort; }
 
 protected:
   vtkDepthPeelPass();

@@ -96,7 +96,7 @@ std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
              "sum and average don't look at depth; blended gives near fragments more weight, and what shows through is exact",
              [this] { return this->GetMethod(); },
              [this](double value) { this->SetMethod(static_cast<int>(value)); } },
-    { "WeightFunction", "weight_function", Kind::Choice, Equation7, 0, 3,
+    { "WeightFunction", "weight_function", Kind::Choice, Equation10, 0, 3,
       { "equation7", "equation8", "equation9", "equation10" },
       "how the weight falls with depth if the method is blended, as numbered by McGuire and Bavoil (2013)",
       [this] { return this->GetWeightFunction(); },

@@ -56,8 +56,19 @@ public:
 
   ///@{
   /**
-   * How the weight falls with depth if Method is Blended: the equation of the 2013 paper. Equations 7 (the default), 8 and 9 take the
-   * distance; 10 takes the depth in the window and falls evenly. Another value is an error and changes nothing.
+   * How the weight falls with depth if Method is Blended: the equation of the 2013 paper. Equations 7, 8 and 9 take the distance; 10 (the
+   * default) takes the depth in the window and falls evenly. Of the four it takes the least time, and is near the best, 480x270, root mean square
+   * difference from the exact picture in percent of the full range:
+   *
+   * | equation         | frog | carotid artery | 300 rectangles | 40 spheres |
+   * | ---------------- | ---- | -------------- | -------------- | ---------- |
+   * | 7                | 3.8  | 4.0            | 2.7            | 5.0        |
+   * | 8                | 3.8  | 4.0            | 3.1            | 5.0        |
+   * | 9                | 3.1  | 3.7            | 3.8            | 3.4        |
+   * | 10               | 3.2  | 3.7            | 1.7            | 3.7        |
+   * | (Method Average) | 3.8  | 4.0            | 3.2            | 5.0        |
+   *
+   * Another value is an error and changes nothing.
    */
   void SetWeightFunction(int function);
   vtkGetMacro(WeightFunction, int);
@@ -86,7 +97,7 @@ protected:
   void ReleaseTechniqueResources(bool contextAlive) override;
 
   int Method = Blended;
-  int WeightFunction = Equation7;
+  int WeightFunction = Equation10;
   double DepthNear = 0.1;
   double DepthFar = 500;
 

@@ -2,7 +2,7 @@
 //
 // From the nearest depth that is left on, BUCKETS intervals of one length share the depths; whatever lies farther goes to the last of them. A
 // bucket has room for the layers of BUCKET_SIZE depths, in any order, the nearest ones that have come to it; each is a depth and as half
-// floats the colour, multiplied by its opacity, with the opacity. A depth that finds no room, or has to make room, lowers the limit: in front of it
+// floats the colour, multiplied by its opacity, with the opacity, or with three of them (Common/Channels.glsl). A depth that finds no room, or has to make room, lowers the limit: in front of it
 // all layers are in their buckets, with all of their fragments. From it on they wait for the next drawing.
 //
 // The words:
@@ -10,13 +10,13 @@
 // - limit: the nearest depth that has found no room; NO_DEPTH if all have
 // - buckets: how many of them a unit of depth has
 // - peeled: how many layers have been
-// - front: four floats: colour of what has been peeled, and how much it lets through
-// - layers; or in their place, where what is left is averaged, the tail: five floats: sums of opacity * colour and of opacity, and the product
-//   of 1 - opacity
-// A record's count tells how many layers there are in each bucket, BUCKET_BITS each, and whether it is the TAIL that is gathered.
+// - front: colour of what has been peeled, and how much it lets through, in floats
+// - layers; or in their place, where what is left is averaged, the tail: sums of opacity * colour and of opacity, and the product of
+//   1 - opacity, in floats
+// A record's count tells how many layers there are in each bucket, BUCKET_BITS each, and whether it is the tail that is gathered.
 //
-// Needs: BUCKETS, BUCKET_SIZE, SAMPLES.  Gives: those words, recordFloat, setRecordFloat, recordVector, setRecordVector, sampleRecord, layerWord,
-// bucketCount.
+// Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: those words, recordFloat, setRecordFloat, Content, loadContent,
+// storeContent, Front, loadFront, storeFront, Tail, loadTail, storeTail, sampleRecord, layerWord, bucketCount.
 #ifndef Buckets_glsl
 #define Buckets_glsl
 #ifndef BUCKETS
@@ -31,18 +31,21 @@
 #define BUCKETS_WORD 2
 #define PEELED_WORD 3
 #define FRONT_WORD 4
-#define LAYERS_WORD 8
+#define LAYERS_WORD (FRONT_WORD + 3 + TRANSMITTANCE_CHANNELS)
+#if TRANSMITTANCE_CHANNELS == 3
+#define LAYER_WORDS 4
+#else
 #define LAYER_WORDS 3
-#define TAIL_WORD LAYERS_WORD
+#endif
 #define PIXEL_WORDS (LAYERS_WORD + BUCKETS * BUCKET_SIZE * LAYER_WORDS)
 
 #define BUCKET_BITS 3
 #define BUCKET_MASK 7u
-#define TAIL 0x80000000u
+#define GATHERS_TAIL 0x80000000u
 
 #define NO_DEPTH 1e30
 
-#include "Common/HalfFloat.glsl"
+#include "Common/ColorHalves.glsl"
 #include "Common/Pixels.glsl"
 
 float recordFloat(PixelRecord record, int word)
@@ -55,17 +58,62 @@ void setRecordFloat(PixelRecord record, int word, float number)
   setRecordWord(record, word, floatBitsToUint(number));
 }
 
-vec4 recordVector(PixelRecord record, int word)
+vec3 recordVector(PixelRecord record, int word)
 {
-  return vec4(recordFloat(record, word), recordFloat(record, word + 1), recordFloat(record, word + 2), recordFloat(record, word + 3));
+  return vec3(recordFloat(record, word), recordFloat(record, word + 1), recordFloat(record, word + 2));
 }
 
-void setRecordVector(PixelRecord record, int word, vec4 numbers)
+void setRecordVector(PixelRecord record, int word, vec3 numbers)
 {
   setRecordFloat(record, word, numbers.x);
   setRecordFloat(record, word + 1, numbers.y);
   setRecordFloat(record, word + 2, numbers.z);
-  setRecordFloat(record, word + 3, numbers.w);
+}
+
+#if TRANSMITTANCE_CHANNELS == 3
+#define recordChannels recordVector
+#define setRecordChannels setRecordVector
+#else
+#define recordChannels recordFloat
+#define setRecordChannels setRecordFloat
+#endif
+
+// What has been peeled.
+struct Front
+{
+  vec3 color;
+  Channels transmittance;
+};
+
+Front loadFront(PixelRecord record)
+{
+  return Front(recordVector(record, FRONT_WORD), recordChannels(record, FRONT_WORD + 3));
+}
+
+void storeFront(PixelRecord record, Front front)
+{
+  setRecordVector(record, FRONT_WORD, front.color);
+  setRecordChannels(record, FRONT_WORD + 3, front.transmittance);
+}
+
+struct Tail
+{
+  vec3 color; // sums: opacity times colour,
+  Channels opacity;
+  Channels transmittance; // and the product of 1 - opacity
+};
+
+Tail loadTail(PixelRecord record)
+{
+  return Tail(recordVector(record, LAYERS_WORD), recordChannels(record, LAYERS_WORD + 3),
+    recordChannels(record, LAYERS_WORD + 3 + TRANSMITTANCE_CHANNELS));
+}
+
+void storeTail(PixelRecord record, Tail tail)
+{
+  setRecordVector(record, LAYERS_WORD, tail.color);
+  setRecordChannels(record, LAYERS_WORD + 3, tail.opacity);
+  setRecordChannels(record, LAYERS_WORD + 3 + TRANSMITTANCE_CHANNELS, tail.transmittance);
 }
 
 int layerWord(int bucket, int place)
@@ -73,10 +121,34 @@ int layerWord(int bucket, int place)
   return LAYERS_WORD + (bucket * BUCKET_SIZE + place) * LAYER_WORDS;
 }
 
-// Of a layer, from the word behind its depth on.
-vec4 layerColor(PixelRecord record, int word)
+// Of a layer, in the words behind its depth.
+struct Content
 {
-  return unpackHalves(uvec2(recordWord(record, word + 1), recordWord(record, word + 2)));
+  vec3 color; // multiplied by its opacity
+  Channels opacity;
+};
+
+Content loadContent(PixelRecord record, int word)
+{
+  PackedColor words;
+  words.x = recordWord(record, word + 1);
+  words.y = recordWord(record, word + 2);
+#if TRANSMITTANCE_CHANNELS == 3
+  words.z = recordWord(record, word + 3);
+#endif
+  Content content;
+  unpackColorHalves(words, content.color, content.opacity);
+  return content;
+}
+
+void storeContent(PixelRecord record, int word, Content content)
+{
+  PackedColor words = packColorHalves(content.color, content.opacity);
+  setRecordWord(record, word + 1, words.x);
+  setRecordWord(record, word + 2, words.y);
+#if TRANSMITTANCE_CHANNELS == 3
+  setRecordWord(record, word + 3, words.z);
+#endif
 }
 
 uint bucketCount(uint count, int bucket)

@@ -8,11 +8,12 @@
 // The limit only goes down while fragments come. So rejectFragment may read it without the critical section: an older value is behind the newer
 // one, and rejects nothing that the newer one would take. begin doesn't change.
 //
-// Needs: BUCKETS, BUCKET_SIZE, PEEL_TAIL (whether what is left is averaged), SAMPLES.  Gives: rejectFragment, gatherFragment.
+// Needs: BUCKETS, BUCKET_SIZE, PEEL_TAIL (whether what is left is averaged), SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: rejectFragment, gatherFragment.
 #ifndef PEEL_TAIL
 #error "Peel/GatherBuckets.glsl needs PEEL_TAIL"
 #endif
 #include "Common/Coverage.glsl"
+#include "Common/Opacity.glsl"
 #include "Peel/Buckets.glsl"
 
 // Not a number is in front of nothing, and behind nothing.
@@ -41,14 +42,17 @@ void rejectFragment(float depth)
 }
 
 #if PEEL_TAIL
-void addToTail(PixelRecord record, vec4 layer)
+void addToTail(PixelRecord record, Content layer)
 {
-  setRecordVector(record, TAIL_WORD, recordVector(record, TAIL_WORD) + layer);
-  setRecordFloat(record, TAIL_WORD + 4, recordFloat(record, TAIL_WORD + 4) * (1.0 - layer.a));
+  Tail tail = loadTail(record);
+  tail.color += layer.color;
+  tail.opacity += layer.opacity;
+  tail.transmittance *= 1.0 - layer.opacity;
+  storeTail(record, tail);
 }
 #endif
 
-void addToBucket(PixelRecord record, vec4 layer, float depth, uint count)
+void addToBucket(PixelRecord record, Content layer, float depth, uint count)
 {
   float inside = (depth - max(recordFloat(record, BEGIN_WORD), 0.0)) * recordFloat(record, BUCKETS_WORD);
   int bucket = int(clamp(inside, 0.0, float(BUCKETS - 1)));
@@ -70,7 +74,8 @@ void addToBucket(PixelRecord record, vec4 layer, float depth, uint count)
   bool room = taken < BUCKET_SIZE;
   if (found)
   {
-    layer += (1.0 - layer.a) * layerColor(record, word);
+    Content behind = loadContent(record, word);
+    layer = Content(layer.color + (1.0 - layer.opacity) * behind.color, layer.opacity + (1.0 - layer.opacity) * behind.opacity);
   }
   else if (room)
   {
@@ -83,21 +88,19 @@ void addToBucket(PixelRecord record, vec4 layer, float depth, uint count)
   }
   if (found || room || depth < farthest)
   {
-    uvec2 color = packHalves(layer);
     setRecordFloat(record, word, depth);
-    setRecordWord(record, word + 1, color.x);
-    setRecordWord(record, word + 2, color.y);
+    storeContent(record, word, layer);
   }
 }
 
 void updatePixel(PixelRecord record, vec4 color, float depth)
 {
-  vec4 layer = vec4(color.a * color.rgb, color.a);
+  Content layer = Content(color.a * color.rgb, opacityOf(color));
   if (isLeft(record, depth))
   {
     uint count = recordCount(record);
 #if PEEL_TAIL
-    if (count == TAIL)
+    if (count == GATHERS_TAIL)
     {
       addToTail(record, layer);
     }

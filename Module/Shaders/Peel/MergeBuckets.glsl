@@ -6,13 +6,14 @@
 //
 // Fragments that it leaves tell that something is left.
 //
-// Needs: BUCKETS, BUCKET_SIZE, PEEL_LAYERS (the most to peel, 0 for all), PEEL_TAIL, SAMPLES.  Gives: main.
+// Needs: BUCKETS, BUCKET_SIZE, PEEL_LAYERS (the most to peel, 0 for all), PEEL_TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: main.
 #ifndef PEEL_LAYERS
 #error "Peel/MergeBuckets.glsl needs PEEL_LAYERS"
 #endif
 #ifndef PEEL_TAIL
 #error "Peel/MergeBuckets.glsl needs PEEL_TAIL"
 #endif
+#include "Common/MeanColor.glsl"
 #include "Common/Tile.glsl"
 #include "Peel/Buckets.glsl"
 
@@ -39,7 +40,7 @@ int nextLayer(PixelRecord record, int bucket, int taken, float before)
 // Returns whether something is left.
 bool mergeLayers(PixelRecord record, uint count)
 {
-  vec4 front = recordVector(record, FRONT_WORD);
+  Front front = loadFront(record);
   float limit = recordFloat(record, LIMIT_WORD);
   float begin = NO_DEPTH;
   uint before = recordWord(record, PEELED_WORD);
@@ -60,14 +61,15 @@ bool mergeLayers(PixelRecord record, uint count)
       }
       if (last < limit)
       {
-        vec4 layer = layerColor(record, word);
-        front = vec4(front.rgb + front.a * layer.rgb, front.a * (1.0 - layer.a));
+        Content layer = loadContent(record, word);
+        front.color += front.transmittance * layer.color;
+        front.transmittance *= 1.0 - layer.opacity;
         begin = min(begin, last);
         ++peeled;
       }
     }
   }
-  setRecordVector(record, FRONT_WORD, front);
+  storeFront(record, front);
   setRecordWord(record, PEELED_WORD, peeled);
   setRecordFloat(record, LIMIT_WORD, NO_DEPTH);
   setRecordFloat(record, BUCKETS_WORD, float(peeled - before) / (2.0 * max(limit - begin, 1e-30)));
@@ -75,10 +77,9 @@ bool mergeLayers(PixelRecord record, uint count)
 #if PEEL_TAIL
   if (all)
   {
-    setRecordVector(record, TAIL_WORD, vec4(0.0));
-    setRecordFloat(record, TAIL_WORD + 4, 1.0);
+    storeTail(record, Tail(vec3(0.0), Channels(0.0), Channels(1.0)));
   }
-  setRecordCount(record, all ? TAIL : 0u);
+  setRecordCount(record, all ? GATHERS_TAIL : 0u);
 #else
   setRecordCount(record, 0u);
   limit = all ? NO_DEPTH : limit;
@@ -90,12 +91,11 @@ bool mergeLayers(PixelRecord record, uint count)
 #if PEEL_TAIL
 void mergeTail(PixelRecord record)
 {
-  vec4 front = recordVector(record, FRONT_WORD);
-  vec4 sums = recordVector(record, TAIL_WORD);
-  float transmittance = recordFloat(record, TAIL_WORD + 4);
-  front.rgb += front.a * (1.0 - transmittance) * sums.rgb / max(sums.a, 1e-30);
-  front.a *= transmittance;
-  setRecordVector(record, FRONT_WORD, front);
+  Front front = loadFront(record);
+  Tail tail = loadTail(record);
+  front.color += front.transmittance * meanColor(tail.color, tail.opacity, tail.transmittance);
+  front.transmittance *= tail.transmittance;
+  storeFront(record, front);
   setRecordCount(record, 0u);
   setRecordFloat(record, BEGIN_WORD, NO_DEPTH);
 }
@@ -110,7 +110,7 @@ void main()
     PixelRecord record = sampleRecord();
     uint count = recordCount(record);
 #if PEEL_TAIL
-    if (count == TAIL)
+    if (count == GATHERS_TAIL)
     {
       mergeTail(record);
     }

@@ -1,15 +1,16 @@
 // Peel/ResolveBuckets.glsl: a pixel's colour, or that of a sample of it: all that has been peeled.
 //
-// Needs: BUCKETS, BUCKET_SIZE, SAMPLES.
+// Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.
 #include "Common/Tile.glsl"
 #include "Peel/Buckets.glsl"
 
-bool resolvePixel(ivec2 pixel, inout vec3 color, inout float transmittance)
+bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
-  vec4 front = recordVector(sampleRecord(), FRONT_WORD);
-  color = front.rgb;
-  transmittance = front.a;
-  return inTile(pixel) && transmittance < 1.0; // beside the tile there are no records
+  Front front = loadFront(sampleRecord());
+  color = front.color;
+  transmittance = front.transmittance;
+  bool holdsLayers = color != vec3(0.0) || transmittance != Channels(1.0);
+  return inTile(pixel) && holdsLayers; // beside the tile there are no records
 }
 
 #include "Common/Composite.glsl"

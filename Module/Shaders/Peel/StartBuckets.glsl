@@ -1,6 +1,6 @@
 // Peel/StartBuckets.glsl: records as they are before the first drawing: nothing has been peeled, and the buckets share all depths.
 //
-// Needs: BUCKETS, BUCKET_SIZE, SAMPLES.  Gives: main.
+// Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: main.
 #include "Common/Tile.glsl"
 #include "Peel/Buckets.glsl"
 
@@ -13,7 +13,7 @@ void main()
     setRecordFloat(record, LIMIT_WORD, NO_DEPTH);
     setRecordFloat(record, BUCKETS_WORD, float(BUCKETS));
     setRecordWord(record, PEELED_WORD, 0u);
-    setRecordVector(record, FRONT_WORD, vec4(0.0, 0.0, 0.0, 1.0));
+    storeFront(record, Front(vec3(0.0), Channels(1.0)));
   }
   discard;
 }
