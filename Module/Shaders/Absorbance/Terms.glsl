@@ -17,7 +17,8 @@
 // addToTerms, visibilityOf.
 #ifndef Terms_glsl
 #define Terms_glsl
-#include "Absorbance/EachVector.glsl"
+#define VECTOR_COUNT TERM_VECTORS
+#include "Common/EachVector.glsl"
 #include "Common/Channels.glsl"
 #include "Common/Language.glsl"
 

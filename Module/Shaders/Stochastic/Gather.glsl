@@ -8,10 +8,12 @@
 // 1 - opacity: only in the first of several rounds (stochasticAttenuation is 1, else 0), since total transmittance is no matter of chance.
 //
 // Needs: DEPTH_SAMPLES, PATTERNS, TARGET_SAMPLES.  Gives: gatherFragment.
+#define DEPTH_BUFFERS ((DEPTH_SAMPLES + 3) / 4)
+#define VECTOR_COUNT DEPTH_BUFFERS
+#include "Common/EachVector.glsl"
 #include "Common/Target.glsl"
 #include "Stochastic/Mask.glsl"
 
-#define DEPTH_BUFFERS ((DEPTH_SAMPLES + 3) / 4)
 #define GATHER_OUTPUTS (DEPTH_BUFFERS > 2 ? DEPTH_BUFFERS : 2)
 
 uniform Target stochasticDepths[DEPTH_BUFFERS];
@@ -27,10 +29,8 @@ vec4 coverSamples(uint covered, float depth)
 float visibility(ivec2 pixel, float depth)
 {
   vec4 visible = vec4(0.0);
-  for (int i = 0; i < DEPTH_BUFFERS; ++i)
-  {
-    visible += vec4(lessThanEqual(vec4(depth), fetchTarget(stochasticDepths[i], pixel)));
-  }
+#define SEE(i) visible += vec4(lessThanEqual(vec4(depth), fetchTarget(stochasticDepths[i], pixel)));
+  EACH_VECTOR(SEE)
   return dot(visible, vec4(1.0 / float(DEPTH_SAMPLES)));
 }
 
@@ -41,10 +41,8 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
   if (gatherStage == 0)
   {
     uint covered = coveredDepths(pixel, color, depth);
-    for (int i = 0; i < DEPTH_BUFFERS; ++i)
-    {
-      outputs[i] = coverSamples(covered >> uint(4 * i), depth);
-    }
+#define COVER(i) outputs[i] = coverSamples(covered >> uint(4 * (i)), depth);
+    EACH_VECTOR(COVER)
   }
   else
   {
