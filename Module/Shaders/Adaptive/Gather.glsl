@@ -19,18 +19,26 @@
 
 uniform int gatherStage;
 
-void loadVisibility(PixelRecord record, uint count, out Visibility visibility)
+void loadDepths(PixelRecord record, uint count, inout Visibility visibility)
 {
-  clearVisibility(visibility);
-  Channels last = Channels(1.0);
-#define LOAD(k) \
+#define LOAD_DEPTH(k) \
   if (uint(k) < count) \
   { \
     visibility.z[k] = uintBitsToFloat(recordWord(record, NODE_WORDS * (k))); \
+  }
+  EACH_NODE(LOAD_DEPTH)
+}
+
+void loadTransmittances(PixelRecord record, uint count, inout Visibility visibility)
+{
+  Channels last = Channels(1.0);
+#define LOAD_TRANSMITTANCE(k) \
+  if (uint(k) < count) \
+  { \
     last = nodeTransmittance(record, k); \
   } \
   visibility.t[k] = last; // of nodes that are not in use, the total transmittance
-  EACH_NODE(LOAD)
+  EACH_NODE(LOAD_TRANSMITTANCE)
   visibility.t[NODE_COUNT] = last;
 #if ESTIMATE_ERROR
   if (count > 0u)
@@ -62,24 +70,19 @@ void storeVisibility(PixelRecord record, uint count, Visibility visibility)
 // What a fragment finds at its depth.
 struct Lookup
 {
-  Channels before; // the transmittance before it
-  int own;        // its node, if coincident is not 0:
-  int coincident; // the nodes of its depth
+  int before;     // how many nodes are in front of it
+  int coincident; // how many have its depth; the last of them is its own
 };
 
+// Of the nodes' depths alone.
 Lookup lookUp(Visibility visibility, float depth)
 {
-  Lookup found = Lookup(Channels(1.0), 0, 0);
-  Channels inFront = Channels(1.0);
-  bool here;
+  Lookup found = Lookup(0, 0);
 #define LOOK_UP(k) \
-  here = visibility.z[k] == depth; \
-  found.before = here ? inFront : found.before; \
-  found.own = here ? (k) : found.own; \
-  found.coincident += here ? 1 : 0; \
-  found.before = visibility.z[k] < depth ? visibility.t[k] : found.before; \
-  inFront = visibility.t[k];
+  found.before += visibility.z[k] < depth ? 1 : 0; \
+  found.coincident += visibility.z[k] == depth ? 1 : 0;
   EACH_NODE(LOOK_UP)
+  found.before += max(found.coincident - 1, 0);
   return found;
 }
 
@@ -87,9 +90,11 @@ Channels visitPixel(PixelRecord record, Channels opacity, float depth)
 {
   uint count = recordCount(record);
   Visibility visibility;
-  loadVisibility(record, count, visibility);
+  clearVisibility(visibility);
+  loadDepths(record, count, visibility);
   if (gatherStage == 0)
   {
+    loadTransmittances(record, count, visibility);
     insertFragment(visibility, depth, opacity, int(count));
     storeVisibility(record, min(count + 1u, uint(NODE_COUNT)), visibility);
     return Channels(0.0);
@@ -97,9 +102,14 @@ Channels visitPixel(PixelRecord record, Channels opacity, float depth)
   Lookup found = lookUp(visibility, depth);
   if (found.coincident > 1)
   {
-    setRecordWord(record, NODE_WORDS * found.own, floatBitsToUint(depth) + 1u);
+    setRecordWord(record, NODE_WORDS * found.before, floatBitsToUint(depth) + 1u);
   }
-  return found.before;
+  Channels before = Channels(1.0);
+  if (found.before > 0)
+  {
+    before = nodeTransmittance(record, found.before - 1);
+  }
+  return before;
 }
 
 void gatherFragment(vec4 color, float depth, out vec4 outputs[TRANSMITTANCE_CHANNELS])

@@ -21,9 +21,7 @@ PackedColor mergeLayers(PackedColor nearer, PackedColor farther)
 void addToTail(PixelRecord record, Layer last, uint count)
 {
 #if TAIL == TAIL_MERGE
-  Layer before = loadLayer(record, LAYERS - 1);
-  before.color = mergeLayers(before.color, last.color);
-  storeLayer(record, LAYERS - 1, before);
+  storeColor(record, LAYERS - 1, mergeLayers(loadColor(record, LAYERS - 1), last.color));
 #elif TAIL == TAIL_AVERAGE
   Content layer = unpackContent(last.color);
   Tail tail = Tail(vec3(0.0), Channels(0.0), Channels(1.0));
@@ -43,17 +41,20 @@ void updatePixel(PixelRecord record, vec4 color, float depth)
 {
   uint count = recordCount(record);
   Layer carried = Layer(depth, packContent(Content(color.a * color.rgb, 1.0 - opacityOf(color))));
+  uint kept = min(count, uint(LAYERS));
+  uint place = 0u;
   for (int i = 0; i < LAYERS; ++i)
   {
-    if (uint(i) < count)
+    if (uint(i) < kept && layerDepth(record, i) < depth)
     {
-      Layer layer = loadLayer(record, i);
-      if (carried.depth <= layer.depth)
-      {
-        storeLayer(record, i, carried);
-        carried = layer;
-      }
+      ++place;
     }
+  }
+  for (; place < kept; ++place)
+  {
+    Layer layer = loadLayer(record, int(place));
+    storeLayer(record, int(place), carried);
+    carried = layer;
   }
   if (count < uint(LAYERS))
   {

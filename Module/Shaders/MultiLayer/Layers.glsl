@@ -7,7 +7,7 @@
 // - TAIL_AVERAGE: sums behind the layers, as five floats: opacity times colour, opacity, and the product of 1 - opacity (hybrid
 //   transparency, Maule et al. 2013); nine with three channels. A record's count is then LAYERS + 1.
 //
-// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Layer, loadLayer, storeLayer, Content, packContent, unpackContent, and with
+// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Layer, layerDepth, loadColor, storeColor, loadLayer, storeLayer, Content, packContent, unpackContent, and with
 // TAIL_AVERAGE Tail, loadTail, storeTail.
 #ifndef Layers_glsl
 #define Layers_glsl
@@ -61,28 +61,42 @@ Content unpackContent(PackedColor words)
   return content;
 }
 
-Layer loadLayer(PixelRecord record, int index)
+float layerDepth(PixelRecord record, int index)
+{
+  return uintBitsToFloat(recordWord(record, index * LAYER_WORDS));
+}
+
+PackedColor loadColor(PixelRecord record, int index)
 {
   int word = index * LAYER_WORDS;
-  Layer layer;
-  layer.depth = uintBitsToFloat(recordWord(record, word));
-  layer.color.x = recordWord(record, word + 1);
-  layer.color.y = recordWord(record, word + 2);
+  PackedColor color;
+  color.x = recordWord(record, word + 1);
+  color.y = recordWord(record, word + 2);
 #if TRANSMITTANCE_CHANNELS == 3
-  layer.color.z = recordWord(record, word + 3);
+  color.z = recordWord(record, word + 3);
 #endif
-  return layer;
+  return color;
+}
+
+void storeColor(PixelRecord record, int index, PackedColor color)
+{
+  int word = index * LAYER_WORDS;
+  setRecordWord(record, word + 1, color.x);
+  setRecordWord(record, word + 2, color.y);
+#if TRANSMITTANCE_CHANNELS == 3
+  setRecordWord(record, word + 3, color.z);
+#endif
+}
+
+Layer loadLayer(PixelRecord record, int index)
+{
+  return Layer(layerDepth(record, index), loadColor(record, index));
 }
 
 void storeLayer(PixelRecord record, int index, Layer layer)
 {
-  int word = index * LAYER_WORDS;
-  setRecordWord(record, word, floatBitsToUint(layer.depth));
-  setRecordWord(record, word + 1, layer.color.x);
-  setRecordWord(record, word + 2, layer.color.y);
-#if TRANSMITTANCE_CHANNELS == 3
-  setRecordWord(record, word + 3, layer.color.z);
-#endif
+  setRecordWord(record, index * LAYER_WORDS, floatBitsToUint(layer.depth));
+  storeColor(record, index, layer.color);
 }
 
 #if TAIL == TAIL_AVERAGE
