@@ -41,14 +41,13 @@
  * Transmission colours: BucketSort keeps three transmittances, the others take the mean: blending to several
  * buffers at once has no way to put coincident fragments over each other channel by channel.
  *
- * On the software rasterizer of a machine with two cores that was busy with other work, one run each, 1280x720
- * (`translucency bench`):
+ * On the software rasterizer of a machine with two cores, one run each, 1280x720 (`translucency bench`):
  *
  * |               | frog: times blending | drawings | rectangles: times blending | drawings | MiB |
  * | ------------- | -------------------- | -------- | -------------------------- | -------- | --- |
- * | front-to-back | 31                   | 26       | 53                         | 26       | 35  |
- * | dual          | 21                   | 14       | 38                         | 14       | 70  |
- * | bucket-sort   | 10                   | 5        | 26                         | 4        | 369 |
+ * | front-to-back | 29                   | 26       | 50                         | 26       | 35  |
+ * | dual          | 16                   | 14       | 35                         | 14       | 70  |
+ * | bucket-sort   | 8                    | 5        | 22                         | 4        | 369 |
  *
  * With 32 buckets of 1 layer, as in the paper, BucketSort takes 16 and 14 drawings, with 16 of 2 it takes 9 and 8.
  */
