@@ -341,7 +341,8 @@ void vtkTranslucencyFrame::ChooseTransmission()
     if (this->Transmission == Transmissions::Mean && kept.MeanTransmission != why)
     {
       kept.MeanTransmission = why;
-      vtkWarningWithObjectMacro(this->Pass, << this->Pass->GetClassName() << " takes the transmission colours of " << props << " props by their mean: " << why);
+      vtkWarningWithObjectMacro(this->Pass,
+        << this->Pass->GetClassName() << " takes the transmission colours of " << props << " props by their mean: " << why);
     }
   }
   if (!invalid.empty() && kept.InvalidTransmission != invalid)

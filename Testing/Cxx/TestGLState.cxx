@@ -201,3 +201,25 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFound)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWithTransmissionColors)
+{
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+    for (int samples : { 0, 4 })
+    {
+      vtkNew<WatchedPass> watched;
+      watched->Pass = NewPass(name);
+      if (watched->Pass)
+      {
+        SCOPED_TRACE(name + ", samples " + std::to_string(samples));
+        View view(RandomLayers(100, 80, 32, 6, 0.1, 0.5).Transmitting(33), samples);
+        view.SetTranslucentPass(watched);
+        ExpectNothingChanges(view, watched, false);
+        EXPECT_EQ(TakeMessages().empty(), watched->Pass->KeepsTransmissionColors());
+      }
+    }
+  }
+}
