@@ -171,9 +171,9 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
 {
   // Adaptive/Record.glsl
   const int channels = frame.GetChannels();
-  const int wordsOfNode = 1 + channels;
   constexpr int wordsOfEstimate = 3;
-  const int words = this->NodeCount * wordsOfNode + (this->Show == Error ? wordsOfEstimate : 0);
+  const int transmittances = channels == 3 ? 3 * this->NodeCount : (this->NodeCount + 1) / 2;
+  const int words = this->NodeCount + transmittances + (this->Show == Error ? wordsOfEstimate : 0);
   vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
   defines["ESTIMATE_ERROR"] = this->Show == Error ? "1" : "0";
   vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, channels };

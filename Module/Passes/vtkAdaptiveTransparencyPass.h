@@ -50,7 +50,7 @@
  * So a tolerance saves nodes, and registers with them; time it costs, for each step draws anew. From the default's 16 nodes on, 0.001 costs none
  * on the frog, and 1.6 times as long as without on the 1200 rectangles (0.34 and 5 percent from exact instead of 1.65 and 9).
  *
- * In fixed memory (section 4), 8 bytes a node and 20 more, a pixel and sample, however many fragments there are:
+ * In fixed memory (section 4), 6 bytes a node and 20 more (with transmission colours 16 and 52), a pixel and sample, however many fragments there are:
  * 1. Visibility: the geometry is drawn, and each fragment inserted into the function of its pixel, under a critical section.
  * 2. Shading: the geometry is drawn again, and each fragment's colour weighted with its opacity and vis at its depth; blending sums it
  *    up, and multiplies the total transmittance (16 bytes a pixel and sample).

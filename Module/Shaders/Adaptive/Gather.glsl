@@ -1,5 +1,5 @@
 // Adaptive/Gather.glsl: adaptive transparency in fixed memory (Salvi 2011, section 4): the visibility function of a pixel lies in its record,
-// NODE_COUNT nodes of a depth and a transmittance.
+// NODE_COUNT nodes of a depth and a transmittance (Record.glsl).
 //
 // Stage 0 inserts each fragment into it. Stage 1 draws the geometry again and weights each fragment with what the function lets through
 // before it (Eq. 2); blending adds that up and multiplies the total transmittance, with three channels in the alphas of three targets.
@@ -24,20 +24,15 @@ void loadDepths(PixelRecord record, uint count, inout Visibility visibility)
 #define LOAD_DEPTH(k) \
   if (uint(k) < count) \
   { \
-    visibility.z[k] = uintBitsToFloat(recordWord(record, NODE_WORDS * (k))); \
+    visibility.z[k] = uintBitsToFloat(recordWord(record, k)); \
   }
   EACH_NODE(LOAD_DEPTH)
 }
 
 void loadTransmittances(PixelRecord record, uint count, inout Visibility visibility)
 {
-  Channels last = Channels(1.0);
-#define LOAD_TRANSMITTANCE(k) \
-  if (uint(k) < count) \
-  { \
-    last = nodeTransmittance(record, k); \
-  } \
-  visibility.t[k] = last; // of nodes that are not in use, the total transmittance
+  Channels last = Channels(1.0); // of nodes that are not in use, the total transmittance
+  vec2 pair = vec2(1.0);
   EACH_NODE(LOAD_TRANSMITTANCE)
   visibility.t[NODE_COUNT] = last;
 #if ESTIMATE_ERROR
@@ -55,9 +50,9 @@ void storeVisibility(PixelRecord record, uint count, Visibility visibility)
 #define STORE(k) \
   if (uint(k) < count) \
   { \
-    setRecordWord(record, NODE_WORDS * (k), floatBitsToUint(visibility.z[k])); \
-    setNodeTransmittance(record, k, visibility.t[k]); \
-  }
+    setRecordWord(record, k, floatBitsToUint(visibility.z[k])); \
+  } \
+  STORE_TRANSMITTANCE(k)
   EACH_NODE(STORE)
 #if ESTIMATE_ERROR
   setRecordWord(record, RECORD_LOST, floatBitsToUint(visibility.lost));
@@ -102,7 +97,7 @@ Channels visitPixel(PixelRecord record, Channels opacity, float depth)
   Lookup found = lookUp(visibility, depth);
   if (found.coincident > 1)
   {
-    setRecordWord(record, NODE_WORDS * found.before, floatBitsToUint(depth) + 1u);
+    setRecordWord(record, found.before, floatBitsToUint(depth) + 1u);
   }
   Channels before = Channels(1.0);
   if (found.before > 0)

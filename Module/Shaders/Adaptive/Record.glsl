@@ -1,8 +1,10 @@
-// Adaptive/Record.glsl: what a pixel's record holds in fixed memory: the depth and the transmittance, or three of them, of each node, and with ESTIMATE_ERROR 1 what
-// the estimate is made of. Its count is that of the nodes in use.
+// Adaptive/Record.glsl: what a pixel's record holds in fixed memory. Its count is that of the nodes in use.
 //
-// Needs: NODE_COUNT, ESTIMATE_ERROR, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Common/Pixels.glsl, NODE_WORDS, nodeTransmittance,
-// setNodeTransmittance, RECORD_LOST, RECORD_NEAREST, RECORD_FARTHEST.
+// First the depths of the nodes, then their transmittances: in 16 bits each, two a word, since a word more takes more time than packing; with
+// three channels (Common/Channels.glsl) in floats. With ESTIMATE_ERROR 1 there follows what the estimate is made of.
+//
+// Needs: NODE_COUNT, ESTIMATE_ERROR, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Common/Pixels.glsl, nodeTransmittance, LOAD_TRANSMITTANCE(k),
+// STORE_TRANSMITTANCE(k), RECORD_LOST, RECORD_NEAREST, RECORD_FARTHEST.
 #ifndef Record_glsl
 #define Record_glsl
 #ifndef NODE_COUNT
@@ -13,37 +15,71 @@
 #endif
 #include "Common/Channels.glsl"
 
-#define NODE_WORDS (1 + TRANSMITTANCE_CHANNELS)
-#define RECORD_LOST (NODE_WORDS * NODE_COUNT)
-#define RECORD_NEAREST (NODE_WORDS * NODE_COUNT + 1)
-#define RECORD_FARTHEST (NODE_WORDS * NODE_COUNT + 2)
-#if ESTIMATE_ERROR
-#define PIXEL_WORDS (NODE_WORDS * NODE_COUNT + 3)
+#if TRANSMITTANCE_CHANNELS == 3
+#define RECORD_LOST (4 * NODE_COUNT)
 #else
-#define PIXEL_WORDS (NODE_WORDS * NODE_COUNT)
+#define RECORD_LOST (NODE_COUNT + (NODE_COUNT + 1) / 2)
+#endif
+#define RECORD_NEAREST (RECORD_LOST + 1)
+#define RECORD_FARTHEST (RECORD_LOST + 2)
+#if ESTIMATE_ERROR
+#define PIXEL_WORDS (RECORD_LOST + 3)
+#else
+#define PIXEL_WORDS RECORD_LOST
 #endif
 #include "Common/Pixels.glsl"
 
+// The macros are for EACH_NODE: k is a constant, last the transmittance of the node before, values are of nodes below count.
+#if TRANSMITTANCE_CHANNELS == 3
 Channels nodeTransmittance(PixelRecord record, int node)
 {
-  int word = NODE_WORDS * node + 1;
-#if TRANSMITTANCE_CHANNELS == 3
+  int word = NODE_COUNT + 3 * node;
   return uintBitsToFloat(uvec3(recordWord(record, word), recordWord(record, word + 1), recordWord(record, word + 2)));
-#else
-  return uintBitsToFloat(recordWord(record, word));
-#endif
 }
 
 void setNodeTransmittance(PixelRecord record, int node, Channels transmittance)
 {
-  int word = NODE_WORDS * node + 1;
-#if TRANSMITTANCE_CHANNELS == 3
+  int word = NODE_COUNT + 3 * node;
   setRecordWord(record, word, floatBitsToUint(transmittance.r));
   setRecordWord(record, word + 1, floatBitsToUint(transmittance.g));
   setRecordWord(record, word + 2, floatBitsToUint(transmittance.b));
-#else
-  setRecordWord(record, word, floatBitsToUint(transmittance));
-#endif
 }
+
+#define LOAD_TRANSMITTANCE(k) \
+  if (uint(k) < count) \
+  { \
+    last = nodeTransmittance(record, k); \
+  } \
+  visibility.t[k] = last;
+#define STORE_TRANSMITTANCE(k) \
+  if (uint(k) < count) \
+  { \
+    setNodeTransmittance(record, k, visibility.t[k]); \
+  }
+#else
+vec2 pairOfTransmittances(PixelRecord record, int pair)
+{
+  return unpackUnorm2x16(recordWord(record, NODE_COUNT + pair));
+}
+
+Channels nodeTransmittance(PixelRecord record, int node)
+{
+  vec2 pair = pairOfTransmittances(record, node / 2);
+  return node % 2 == 0 ? pair.x : pair.y;
+}
+
+#define LOAD_TRANSMITTANCE(k) \
+  if ((k) % 2 == 0 && uint(k) < count) \
+  { \
+    pair = pairOfTransmittances(record, (k) / 2); \
+  } \
+  last = uint(k) < count ? ((k) % 2 == 0 ? pair.x : pair.y) : last; \
+  visibility.t[k] = last;
+#define STORE_TRANSMITTANCE(k) \
+  if ((k) % 2 == 0 && uint(k) < count) \
+  { \
+    setRecordWord(record, NODE_COUNT + (k) / 2, packUnorm2x16(vec2(visibility.t[k], visibility.t[(k) + 1]))); \
+  }
+#endif
 
 #endif
