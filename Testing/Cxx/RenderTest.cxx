@@ -10,6 +10,7 @@
 #include <vtkRenderStepsPass.h>
 #include <vtkSphereSource.h>
 #include <vtkTranslucencyCapabilities.h>
+#include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyPass.h>
 
 #ifdef __SANITIZE_ADDRESS__
@@ -122,6 +123,18 @@ bool KeepsDrawOrder(View& view)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(view.Window);
   window->MakeCurrent();
   return vtkTranslucencyCapabilities::Probe(window).KeepsDrawOrder;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const Settings& settings)
+{
+  auto pass = vtkSmartPointer<vtkTranslucencyPass>::Take(
+    vtkTranslucencyPass::SafeDownCast(vtkTranslucencyFactory::CreateTechnique(name)));
+  for (const auto& setting : settings)
+  {
+    EXPECT_TRUE(pass->SetOption(setting.first, setting.second)) << setting.first << "=" << setting.second;
+  }
+  return pass;
 }
 
 //------------------------------------------------------------------------------

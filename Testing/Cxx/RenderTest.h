@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkTranslucencyPass;
@@ -59,6 +60,12 @@ bool KeepsDrawOrder(View& view);
 /// Adds a lit, translucent ball of radius 60 and depth 0.6 at these coordinates. As impostors it is drawn by its points as spheres,
 /// whose shaders set gl_FragDepth.
 void AddBall(vtkRenderer* renderer, bool impostors, double x, double y, double z);
+
+/// Keywords and values of a technique's options.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// A new pass of a technique, by its name in vtkTranslucencyFactory. Fails where it does not take a setting.
+vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const Settings& settings = {});
 
 /// Draws a scene once by a pass.
 Picture Draw(const AnalyticScene& scene, vtkTranslucencyPass* pass);

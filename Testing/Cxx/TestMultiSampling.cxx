@@ -9,7 +9,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTranslucencyCapabilities.h>
-#include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
 
@@ -19,7 +18,6 @@
 #include <functional>
 #include <numeric>
 #include <random>
-#include <utility>
 
 namespace
 {
@@ -318,20 +316,9 @@ std::function<vtkSmartPointer<vtkTranslucencyPass>()> New(
   };
 }
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
 std::function<vtkSmartPointer<vtkTranslucencyPass>()> New(const std::string& technique, const Settings& options)
 {
-  return [=]
-  {
-    auto pass = vtkSmartPointer<vtkTranslucencyPass>::Take(
-      vtkTranslucencyPass::SafeDownCast(vtkTranslucencyFactory::CreateTechnique(technique)));
-    for (const auto& option : options)
-    {
-      EXPECT_TRUE(pass->SetOption(option.first, option.second)) << option.first << "=" << option.second;
-    }
-    return pass;
-  };
+  return [=] { return NewTechnique(technique, options); };
 }
 
 Compositor Layers(int count, Reference::Tail tail)

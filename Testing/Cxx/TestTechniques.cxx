@@ -3,7 +3,6 @@
 #include "RenderTest.h"
 
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 
 #include <algorithm>
@@ -13,8 +12,6 @@ namespace
 {
 using Reference::Fragment;
 using Reference::Tail;
-
-using Settings = std::vector<std::pair<std::string, std::string>>;
 
 struct Technique
 {
@@ -33,16 +30,9 @@ void PrintTo(const Technique& value, std::ostream* os)
 
 vtkSmartPointer<vtkTranslucencyPass> New(const Technique& technique, const Settings& more = {})
 {
-  auto pass = vtkSmartPointer<vtkTranslucencyPass>::Take(
-    vtkTranslucencyPass::SafeDownCast(vtkTranslucencyFactory::CreateTechnique(technique.Technique)));
-  for (const Settings* settings : { &technique.Options, &more })
-  {
-    for (const auto& setting : *settings)
-    {
-      EXPECT_TRUE(pass->SetOption(setting.first, setting.second)) << setting.first << "=" << setting.second;
-    }
-  }
-  return pass;
+  Settings settings = technique.Options;
+  settings.insert(settings.end(), more.begin(), more.end());
+  return NewTechnique(technique.Technique, settings);
 }
 
 Technique Layers(const std::string& name, int layers, Tail tail)

@@ -23,8 +23,6 @@ namespace
 using Reference::Fragment;
 using Reference::Tail;
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
 struct Technique
 {
   std::string Name; // of the test
@@ -37,17 +35,6 @@ struct Technique
 void PrintTo(const Technique& value, std::ostream* os)
 {
   *os << value.Name;
-}
-
-vtkSmartPointer<vtkTranslucencyPass> New(const std::string& technique, const Settings& options = {})
-{
-  auto pass = vtkSmartPointer<vtkTranslucencyPass>::Take(
-    vtkTranslucencyPass::SafeDownCast(vtkTranslucencyFactory::CreateTechnique(technique)));
-  for (const auto& option : options)
-  {
-    EXPECT_TRUE(pass->SetOption(option.first, option.second)) << option.first << "=" << option.second;
-  }
-  return pass;
 }
 
 // Merging rounds the last layer to half floats each time.
@@ -230,7 +217,7 @@ void ExpectLight(const Technique& technique)
   for (int samples : { 0, 4 })
   {
     View view(scene, samples);
-    view.SetPass(New(technique.Technique, technique.Options));
+    view.SetPass(NewTechnique(technique.Technique, technique.Options));
     const Picture drawn = view.Render();
     const auto expect = [&](int x, const Reference::Color& expected)
     {
@@ -266,7 +253,7 @@ TEST_P(TestTransmission, IsAsComputedForEachChannel)
     for (int samples : { 0, 4 })
     {
       SCOPED_TRACE(samples);
-      const auto pass = New(GetParam().Technique, GetParam().Options);
+      const auto pass = NewTechnique(GetParam().Technique, GetParam().Options);
       View view(scene.Made, samples);
       view.SetPass(pass);
       const PictureDifference difference = Compare(view.Render(), computed);
@@ -287,7 +274,7 @@ TEST_P(TestTransmission, ComesAndGoes)
 {
   const AnalyticScene plain = RandomLayers(100, 75, 1, 3, 0.2, 0.8);
   const AnalyticScene scene = plain.Transmitting(11);
-  const auto pass = New(GetParam().Technique, GetParam().Options);
+  const auto pass = NewTechnique(GetParam().Technique, GetParam().Options);
   View view(scene);
   view.SetPass(pass);
   const Picture colored = view.Render();
@@ -302,7 +289,7 @@ TEST_P(TestTransmission, ComesAndGoes)
     vtkTranslucencyPass::SetTransmissionColor(actor, 0, 0, 0);
   }
   const Picture without = view.Render();
-  EXPECT_EQ(Compare(without, Draw(plain, New(GetParam().Technique, GetParam().Options))).Largest, 0);
+  EXPECT_EQ(Compare(without, Draw(plain, NewTechnique(GetParam().Technique, GetParam().Options))).Largest, 0);
   EXPECT_GT(Compare(without, colored).Largest, 20);
   EXPECT_GE(bytes, pass->GetStatistics()->GetBytes());
 }
@@ -326,7 +313,7 @@ TEST_F(TestTransmissionOfAdaptive, CompressesThreeTransmittancesAtOnce)
       {
         SCOPED_TRACE(std::string(memory) + " " + std::to_string(nodes) + " " + std::to_string(samples));
         View view(scene, samples);
-        view.SetPass(New("adaptive", { { "memory", memory }, { "nodes", std::to_string(nodes) } }));
+        view.SetPass(NewTechnique("adaptive", { { "memory", memory }, { "nodes", std::to_string(nodes) } }));
         const Picture drawn = view.Render();
         if (!KeepsDrawOrder(view))
         {
@@ -352,7 +339,7 @@ class TestMeanTransmission
 TEST_P(TestMeanTransmission, OfTechniquesWithOneTransmittance)
 {
   const AnalyticScene scene = RandomLayers(100, 75, 1, 3, 0.2, 0.8).Transmitting(11);
-  const auto pass = New(GetParam());
+  const auto pass = NewTechnique(GetParam());
   if (pass->KeepsTransmissionColors())
   {
     EXPECT_EQ(Draw(scene, pass).Width, 100); // without a warning
@@ -380,7 +367,7 @@ TEST_P(TestMeanTransmission, OfTechniquesWithOneTransmittance)
       }
     }
   }
-  const PictureDifference difference = Compare(drawn, Draw(mean, New(GetParam())));
+  const PictureDifference difference = Compare(drawn, Draw(mean, NewTechnique(GetParam())));
   // Its chances follow from all bits of a colour.
   EXPECT_LE(difference.Largest, GetParam() == "stochastic" ? 30 : 1) << difference;
 }
@@ -417,7 +404,7 @@ TEST_F(TestTransmissionColor, FiltersWhatLiesBehind)
   for (const Technique& technique : Colored())
   {
     SCOPED_TRACE(technique.Name);
-    const Picture drawn = Draw(scene, New(technique.Technique, technique.Options));
+    const Picture drawn = Draw(scene, NewTechnique(technique.Technique, technique.Options));
     for (int c = 0; c < 3; ++c)
     {
       EXPECT_NEAR(drawn.At(10, 15, c), adds[c], 1);
@@ -443,7 +430,7 @@ TEST_F(TestTransmissionColor, WhiteAddsLight)
   for (const Technique& technique : ColoredOf({ "exact", "fourier", "shadowmap" }))
   {
     SCOPED_TRACE(technique.Name);
-    const Picture drawn = Draw(scene, New(technique.Technique, technique.Options));
+    const Picture drawn = Draw(scene, NewTechnique(technique.Technique, technique.Options));
     for (int c = 0; c < 3; ++c)
     {
       const double whole = light[c] + 255 * scene.Background[c];
@@ -471,7 +458,7 @@ TEST_F(TestTransmissionColor, WhiteDoesNotDazzle)
   for (const Technique& technique : ColoredOf({ "exact", "fourier", "shadowmap" }))
   {
     SCOPED_TRACE(technique.Name);
-    EXPECT_LE(Draw(scene, New(technique.Technique, technique.Options)).At(20, 15, 0), 255 * 0.125 + 1);
+    EXPECT_LE(Draw(scene, NewTechnique(technique.Technique, technique.Options)).At(20, 15, 0), 255 * 0.125 + 1);
   }
 }
 
@@ -482,11 +469,11 @@ TEST_F(TestTransmissionColor, OfSumsInFixedMemoryIsTakenByItsMean)
   const AnalyticScene scene = RandomLayers(100, 75, 2, 30, 0.02, 0.8).Transmitting(12);
   for (const std::string technique : { "fourier", "shadowmap" })
   {
-    const Picture drawn = Draw(scene, New(technique, { { "memory", "fixed" } }));
+    const Picture drawn = Draw(scene, NewTechnique(technique, { { "memory", "fixed" } }));
     const std::vector<std::string> messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
     EXPECT_NE(messages[0].find("by their mean"), std::string::npos) << messages[0];
-    const PictureDifference difference = Compare(drawn, Draw(scene.MeanTransmission(), New(technique)));
+    const PictureDifference difference = Compare(drawn, Draw(scene.MeanTransmission(), NewTechnique(technique)));
     EXPECT_LE(difference.Largest, 2) << difference;
   }
 }
@@ -510,7 +497,7 @@ TEST_F(TestTransmissionColor, OfSortedObjectsIsExact)
     for (int samples : { 0, 4 })
     {
       SCOPED_TRACE(which + std::to_string(samples));
-      const auto pass = New("sorted", { { "operator", which } });
+      const auto pass = NewTechnique("sorted", { { "operator", which } });
       View view(scene, samples);
       view.SetPass(pass);
       const PictureDifference difference = Compare(view.Render(), computed);
@@ -529,8 +516,8 @@ TEST_F(TestTransmissionColor, ChangesNothingWhereNothingHides)
   {
     View with(scene, samples);
     View without(plain, samples);
-    with.SetPass(New("additive"));
-    without.SetPass(New("additive"));
+    with.SetPass(NewTechnique("additive"));
+    without.SetPass(NewTechnique("additive"));
     EXPECT_EQ(Compare(with.Render(), without.Render()).Largest, 0);
   }
 }
@@ -561,7 +548,7 @@ TEST_F(TestTransmissionColor, OfAKeySetByHandIsReportedOnce)
 {
   const AnalyticScene scene = RandomLayers(40, 30, 1, 3, 0.2, 0.8).Transmitting(11);
   View view(scene);
-  view.SetPass(New("exact"));
+  view.SetPass(NewTechnique("exact"));
   vtkActor* last = view.Renderer->GetActors()->GetLastActor();
   last->GetPropertyKeys()->Set(vtkTranslucencyPass::TRANSMISSION_COLOR(), 2.0, -1.0, std::numeric_limits<double>::quiet_NaN());
   const Picture drawn = view.Render();
@@ -584,7 +571,7 @@ TEST_F(TestTransmissionColor, OfAssembliesAndLevelsOfDetail)
   {
     SCOPED_TRACE(kind);
     View view(scene);
-    view.SetPass(New("exact"));
+    view.SetPass(NewTechnique("exact"));
     const vtkSmartPointer<vtkActor> actor = view.Renderer->GetActors()->GetLastActor();
     view.Renderer->RemoveActor(actor);
     vtkTranslucencyPass::SetTransmissionColor(actor, 0, 0, 0);
@@ -615,7 +602,7 @@ TEST_F(TestTransmissionColor, InTilesGivesTheSamePicture)
   const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8).Transmitting(12);
   for (int samples : { 0, 4 })
   {
-    const auto pass = New("exact");
+    const auto pass = NewTechnique("exact");
     View view(scene, samples);
     view.SetPass(pass);
     const Picture whole = view.Render();
