@@ -4,19 +4,15 @@
 #include "Adaptive/Record.glsl"
 #include "Adaptive/Show.glsl"
 #include "Adaptive/Visibility.glsl"
+#include "Common/RecordNumbers.glsl"
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
-#if SAMPLES > 1
-  PixelRecord record = pixelRecord(pixel, gl_SampleID);
-#else
-  PixelRecord record = pixelRecord(pixel, 0);
-#endif
+  PixelRecord record = sampleRecord();
   int count = int(recordCount(record));
   float error = 0.0;
 #if ESTIMATE_ERROR
-  error = estimateError(uintBitsToFloat(recordWord(record, RECORD_LOST)), uintBitsToFloat(recordWord(record, RECORD_NEAREST)),
-    uintBitsToFloat(recordWord(record, RECORD_FARTHEST)));
+  error = estimateError(recordFloat(record, RECORD_LOST), recordFloat(record, RECORD_NEAREST), recordFloat(record, RECORD_FARTHEST));
 #endif
   showPixel(error, count, color, transmittance);
   return count > 0;

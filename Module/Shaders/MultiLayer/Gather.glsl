@@ -21,18 +21,19 @@ PackedColor mergeLayers(PackedColor nearer, PackedColor farther)
 void addToTail(PixelRecord record, Layer last, uint count)
 {
 #if TAIL == TAIL_MERGE
-  storeColor(record, LAYERS - 1, mergeLayers(loadColor(record, LAYERS - 1), last.color));
+  int word = (LAYERS - 1) * LAYER_WORDS + 1;
+  setRecordColor(record, word, mergeLayers(recordColor(record, word), last.color));
 #elif TAIL == TAIL_AVERAGE
   Content layer = unpackContent(last.color);
   Tail tail = Tail(vec3(0.0), Channels(0.0), Channels(1.0));
   if (count > uint(LAYERS))
   {
-    tail = loadTail(record);
+    tail = loadTail(record, TAIL_WORD);
   }
   tail.color += layer.color;
   tail.opacity += 1.0 - layer.transmittance;
   tail.transmittance *= layer.transmittance;
-  storeTail(record, tail);
+  storeTail(record, TAIL_WORD, tail);
   setRecordCount(record, uint(LAYERS + 1));
 #endif
 }

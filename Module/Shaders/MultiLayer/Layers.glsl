@@ -7,8 +7,8 @@
 // - TAIL_AVERAGE: sums behind the layers, as five floats: opacity times colour, opacity, and the product of 1 - opacity (hybrid
 //   transparency, Maule et al. 2013); nine with three channels. A record's count is then LAYERS + 1.
 //
-// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Layer, layerDepth, loadColor, storeColor, loadLayer, storeLayer, Content, packContent, unpackContent, and with
-// TAIL_AVERAGE Tail, loadTail, storeTail.
+// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: what Common/RecordNumbers.glsl gives, Layer, layerDepth,
+// loadLayer, storeLayer, Content, packContent, unpackContent.
 #ifndef Layers_glsl
 #define Layers_glsl
 #ifndef LAYERS
@@ -34,7 +34,7 @@
 #define PIXEL_WORDS TAIL_WORD
 #endif
 #include "Common/ColorHalves.glsl"
-#include "Common/Pixels.glsl"
+#include "Common/RecordNumbers.glsl"
 
 struct Layer
 {
@@ -63,92 +63,18 @@ Content unpackContent(PackedColor words)
 
 float layerDepth(PixelRecord record, int index)
 {
-  return uintBitsToFloat(recordWord(record, index * LAYER_WORDS));
-}
-
-PackedColor loadColor(PixelRecord record, int index)
-{
-  int word = index * LAYER_WORDS;
-  PackedColor color;
-  color.x = recordWord(record, word + 1);
-  color.y = recordWord(record, word + 2);
-#if TRANSMITTANCE_CHANNELS == 3
-  color.z = recordWord(record, word + 3);
-#endif
-  return color;
-}
-
-void storeColor(PixelRecord record, int index, PackedColor color)
-{
-  int word = index * LAYER_WORDS;
-  setRecordWord(record, word + 1, color.x);
-  setRecordWord(record, word + 2, color.y);
-#if TRANSMITTANCE_CHANNELS == 3
-  setRecordWord(record, word + 3, color.z);
-#endif
+  return recordFloat(record, index * LAYER_WORDS);
 }
 
 Layer loadLayer(PixelRecord record, int index)
 {
-  return Layer(layerDepth(record, index), loadColor(record, index));
+  return Layer(layerDepth(record, index), recordColor(record, index * LAYER_WORDS + 1));
 }
 
 void storeLayer(PixelRecord record, int index, Layer layer)
 {
-  setRecordWord(record, index * LAYER_WORDS, floatBitsToUint(layer.depth));
-  storeColor(record, index, layer.color);
+  setRecordFloat(record, index * LAYER_WORDS, layer.depth);
+  setRecordColor(record, index * LAYER_WORDS + 1, layer.color);
 }
-
-#if TAIL == TAIL_AVERAGE
-struct Tail
-{
-  vec3 color; // sums: opacity times colour,
-  Channels opacity;
-  Channels transmittance; // and the product of 1 - opacity
-};
-
-float loadNumber(PixelRecord record, int index)
-{
-  return uintBitsToFloat(recordWord(record, TAIL_WORD + index));
-}
-
-void storeNumber(PixelRecord record, int index, float number)
-{
-  setRecordWord(record, TAIL_WORD + index, floatBitsToUint(number));
-}
-
-vec3 loadNumbers(PixelRecord record, int index)
-{
-  return vec3(loadNumber(record, index), loadNumber(record, index + 1), loadNumber(record, index + 2));
-}
-
-void storeNumbers(PixelRecord record, int index, vec3 numbers)
-{
-  storeNumber(record, index, numbers.x);
-  storeNumber(record, index + 1, numbers.y);
-  storeNumber(record, index + 2, numbers.z);
-}
-
-Tail loadTail(PixelRecord record)
-{
-#if TRANSMITTANCE_CHANNELS == 3
-  return Tail(loadNumbers(record, 0), loadNumbers(record, 3), loadNumbers(record, 6));
-#else
-  return Tail(loadNumbers(record, 0), loadNumber(record, 3), loadNumber(record, 4));
-#endif
-}
-
-void storeTail(PixelRecord record, Tail tail)
-{
-  storeNumbers(record, 0, tail.color);
-#if TRANSMITTANCE_CHANNELS == 3
-  storeNumbers(record, 3, tail.opacity);
-  storeNumbers(record, 6, tail.transmittance);
-#else
-  storeNumber(record, 3, tail.opacity);
-  storeNumber(record, 4, tail.transmittance);
-#endif
-}
-#endif
 
 #endif

@@ -7,11 +7,7 @@
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
-#if SAMPLES > 1
-  PixelRecord record = pixelRecord(pixel, gl_SampleID);
-#else
-  PixelRecord record = pixelRecord(pixel, 0);
-#endif
+  PixelRecord record = sampleRecord();
   uint count = recordCount(record);
   for (int i = 0; i < LAYERS; ++i)
   {
@@ -25,7 +21,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 #if TAIL == TAIL_AVERAGE
   if (count > uint(LAYERS))
   {
-    Tail tail = loadTail(record);
+    Tail tail = loadTail(record, TAIL_WORD);
     color += transmittance * meanColor(tail.color, tail.opacity, tail.transmittance);
     transmittance *= tail.transmittance;
   }

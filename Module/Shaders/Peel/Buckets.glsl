@@ -2,8 +2,9 @@
 //
 // From the nearest depth that is left on, BUCKETS intervals of one length share the depths; whatever lies farther goes to the last of them. A
 // bucket has room for the layers of BUCKET_SIZE depths, in any order, the nearest ones that have come to it; each is a depth and as half
-// floats the colour, multiplied by its opacity, with the opacity, or with three of them (Common/Channels.glsl). A depth that finds no room, or has to make room, lowers the limit: in front of it
-// all layers are in their buckets, with all of their fragments. From it on they wait for the next drawing.
+// floats the colour, multiplied by its opacity, with the opacity, or with three of them (Common/Channels.glsl). A depth that finds no room, or has
+// to make room, lowers the limit: in front of it all layers are in their buckets, with all of their fragments. From it on they wait for the next
+// drawing.
 //
 // The words:
 // - begin: fragments in front of it have been peeled; NO_DEPTH when nothing is left to do
@@ -15,8 +16,8 @@
 //   1 - opacity, in floats
 // A record's count tells how many layers there are in each bucket, BUCKET_BITS each, and whether it is the tail that is gathered.
 //
-// Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: those words, recordFloat, setRecordFloat, Content, loadContent,
-// storeContent, Front, loadFront, storeFront, Tail, loadTail, storeTail, sampleRecord, layerWord, bucketCount.
+// Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: those words, what Common/RecordNumbers.glsl gives,
+// Content, loadContent, storeContent, Front, loadFront, storeFront, layerWord, bucketCount.
 #ifndef Buckets_glsl
 #define Buckets_glsl
 #ifndef BUCKETS
@@ -46,37 +47,7 @@
 #define NO_DEPTH 1e30
 
 #include "Common/ColorHalves.glsl"
-#include "Common/Pixels.glsl"
-
-float recordFloat(PixelRecord record, int word)
-{
-  return uintBitsToFloat(recordWord(record, word));
-}
-
-void setRecordFloat(PixelRecord record, int word, float number)
-{
-  setRecordWord(record, word, floatBitsToUint(number));
-}
-
-vec3 recordVector(PixelRecord record, int word)
-{
-  return vec3(recordFloat(record, word), recordFloat(record, word + 1), recordFloat(record, word + 2));
-}
-
-void setRecordVector(PixelRecord record, int word, vec3 numbers)
-{
-  setRecordFloat(record, word, numbers.x);
-  setRecordFloat(record, word + 1, numbers.y);
-  setRecordFloat(record, word + 2, numbers.z);
-}
-
-#if TRANSMITTANCE_CHANNELS == 3
-#define recordChannels recordVector
-#define setRecordChannels setRecordVector
-#else
-#define recordChannels recordFloat
-#define setRecordChannels setRecordFloat
-#endif
+#include "Common/RecordNumbers.glsl"
 
 // What has been peeled.
 struct Front
@@ -96,26 +67,6 @@ void storeFront(PixelRecord record, Front front)
   setRecordChannels(record, FRONT_WORD + 3, front.transmittance);
 }
 
-struct Tail
-{
-  vec3 color; // sums: opacity times colour,
-  Channels opacity;
-  Channels transmittance; // and the product of 1 - opacity
-};
-
-Tail loadTail(PixelRecord record)
-{
-  return Tail(recordVector(record, LAYERS_WORD), recordChannels(record, LAYERS_WORD + 3),
-    recordChannels(record, LAYERS_WORD + 3 + TRANSMITTANCE_CHANNELS));
-}
-
-void storeTail(PixelRecord record, Tail tail)
-{
-  setRecordVector(record, LAYERS_WORD, tail.color);
-  setRecordChannels(record, LAYERS_WORD + 3, tail.opacity);
-  setRecordChannels(record, LAYERS_WORD + 3 + TRANSMITTANCE_CHANNELS, tail.transmittance);
-}
-
 int layerWord(int bucket, int place)
 {
   return LAYERS_WORD + (bucket * BUCKET_SIZE + place) * LAYER_WORDS;
@@ -130,40 +81,19 @@ struct Content
 
 Content loadContent(PixelRecord record, int word)
 {
-  PackedColor words;
-  words.x = recordWord(record, word + 1);
-  words.y = recordWord(record, word + 2);
-#if TRANSMITTANCE_CHANNELS == 3
-  words.z = recordWord(record, word + 3);
-#endif
   Content content;
-  unpackColorHalves(words, content.color, content.opacity);
+  unpackColorHalves(recordColor(record, word + 1), content.color, content.opacity);
   return content;
 }
 
 void storeContent(PixelRecord record, int word, Content content)
 {
-  PackedColor words = packColorHalves(content.color, content.opacity);
-  setRecordWord(record, word + 1, words.x);
-  setRecordWord(record, word + 2, words.y);
-#if TRANSMITTANCE_CHANNELS == 3
-  setRecordWord(record, word + 3, words.z);
-#endif
+  setRecordColor(record, word + 1, packColorHalves(content.color, content.opacity));
 }
 
 uint bucketCount(uint count, int bucket)
 {
   return (count >> uint(bucket * BUCKET_BITS)) & BUCKET_MASK;
-}
-
-// Of the sample that a shader of the screen runs for.
-PixelRecord sampleRecord()
-{
-#if SAMPLES > 1
-  return pixelRecord(ivec2(gl_FragCoord.xy), gl_SampleID);
-#else
-  return pixelRecord(ivec2(gl_FragCoord.xy), 0);
-#endif
 }
 
 #endif

@@ -44,11 +44,11 @@ void rejectFragment(float depth)
 #if PEEL_TAIL
 void addToTail(PixelRecord record, Content layer)
 {
-  Tail tail = loadTail(record);
+  Tail tail = loadTail(record, LAYERS_WORD);
   tail.color += layer.color;
   tail.opacity += layer.opacity;
   tail.transmittance *= 1.0 - layer.opacity;
-  storeTail(record, tail);
+  storeTail(record, LAYERS_WORD, tail);
 }
 #endif
 

@@ -77,7 +77,7 @@ bool mergeLayers(PixelRecord record, uint count)
 #if PEEL_TAIL
   if (all)
   {
-    storeTail(record, Tail(vec3(0.0), Channels(0.0), Channels(1.0)));
+    storeTail(record, LAYERS_WORD, Tail(vec3(0.0), Channels(0.0), Channels(1.0)));
   }
   setRecordCount(record, all ? GATHERS_TAIL : 0u);
 #else
@@ -92,7 +92,7 @@ bool mergeLayers(PixelRecord record, uint count)
 void mergeTail(PixelRecord record)
 {
   Front front = loadFront(record);
-  Tail tail = loadTail(record);
+  Tail tail = loadTail(record, LAYERS_WORD);
   front.color += front.transmittance * meanColor(tail.color, tail.opacity, tail.transmittance);
   front.transmittance *= tail.transmittance;
   storeFront(record, front);
