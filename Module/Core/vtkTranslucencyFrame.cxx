@@ -282,7 +282,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   , Window(window)
   , Drawn(Intersect(found.GetViewport(), found.GetScissor()))
   , Tile(this->Drawn)
-  , LastFragments(pass->Internal->PlanFragments)
+  , LastUnits(pass->Internal->PlanUnits)
 {
   vtkTranslucencyPass::Internals& kept = *pass->Internal;
   if (kept.Viewport != this->Drawn)
@@ -297,6 +297,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   }
   kept.Plan.clear();
   kept.PlanFragments = 0;
+  kept.PlanUnits = 0;
   kept.OpaqueDepthCaptured = false;
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
@@ -448,6 +449,7 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() con
   offered["TRANSMITTANCE_CHANNELS"] = std::to_string(this->GetChannels());
   offered["SAMPLES"] = std::to_string(this->Samples);
   offered["TARGET_SAMPLES"] = std::to_string(this->TargetSamples);
+  offered["NODE_LINKS"] = "0";
   offered["FRAGMENT_ORDER"] = this->Pass->Internal->Capabilities.KeepsDrawOrder
     ? "FRAGMENT_ORDER_DRAWN"
     : "FRAGMENT_ORDER_CONTENT";
@@ -501,7 +503,9 @@ bool vtkTranslucencyFrame::PrepareGather()
     return this->Fail(shader.GetError());
   }
   vtkTranslucencyShader volumes; // compiled with the ray caster only: it declares what that one has
-  if (!volumes.Assemble("Common/GatherVolume.glsl", {}, this->GetOfferedDefines(), this->GetSelection()))
+  Defines offered = this->GetOfferedDefines();
+  offered["NODE_LINKS"] = "1";
+  if (!volumes.Assemble("Common/GatherVolume.glsl", {}, offered, this->GetSelection()))
   {
     return this->Fail(volumes.GetError());
   }
@@ -553,7 +557,7 @@ bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
 //------------------------------------------------------------------------------
 void vtkTranslucencyFrame::UseWholeViewportIfItFits()
 {
-  if (this->Storage->Fits(this->LastFragments, this->Drawn, this->Pass->Internal->Capabilities))
+  if (this->Storage->Fits(this->LastUnits, this->Drawn, this->Pass->Internal->Capabilities))
   {
     this->UseWholeViewport();
   }
@@ -724,12 +728,93 @@ bool vtkTranslucencyFrame::DrawVolumes()
 }
 
 //------------------------------------------------------------------------------
+// Makes what the storage holds ready to be read.
+bool vtkTranslucencyFrame::Retrieve()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  const char* file = this->Storage->GetRetrieval();
+  if (!file)
+  {
+    return true;
+  }
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
+  const std::array<int, 2> cells = this->Storage->BeginRetrieval();
+  kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  for (bool any = true; any;)
+  {
+    vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, {});
+    if (!program)
+    {
+      return false;
+    }
+    this->UseTile();
+    state->vtkglViewport(this->Tile[0], this->Tile[1], cells[0], cells[1]);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_MULTISAMPLE);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    any = AnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  }
+  kept.Resolved.reset();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::CountAccesses()
+{
+  vtkTranslucencyBuffer& fragments = this->Pass->Internal->PixelFragments;
+  std::vector<unsigned int> pixels(static_cast<std::size_t>(this->Tile[2]) * this->Tile[3]);
+  const auto bytes = static_cast<vtkTypeInt64>(pixels.size() * sizeof(unsigned int));
+  if (!fragments.Reserve(bytes))
+  {
+    return this->Fail("the driver has no memory for counting fragments");
+  }
+  fragments.Clear(bytes);
+  fragments.BindStorage(STORAGE_BINDING_READ_BACK);
+  if (!this->Resolve("Storage/CountAccesses.glsl", {}, {}))
+  {
+    return false;
+  }
+  fragments.Download(pixels.data(), bytes);
+  for (unsigned int count : pixels)
+  {
+    if (count > 0)
+    {
+      ++this->Counted.Pixels[count];
+    }
+  }
+  this->Accesses += this->Storage->GetAccesses();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::ReportAccesses()
+{
+  if (this->Storage && this->Pass->CountAccesses)
+  {
+    this->Counted.Width = this->Drawn[2];
+    this->Counted.Height = this->Drawn[3];
+    this->Pass->Internal->Statistics->SetStorageCounts(
+      this->Storage->GetDesign(), this->Storage->GetSectionFragments(), this->Counted, this->Accesses);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 {
   using Outcome = vtkFragmentStorage::Outcome;
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  if (this->Storage != storage)
+  {
+    storage->BeginFrame();
+  }
   this->Storage = storage;
-  storage->SetChannels(this->GetChannels());
+  storage->SetChannelsAndSamples(this->GetChannels(), this->Samples);
+  storage->SetCountAccesses(this->Pass->CountAccesses);
   this->SetSample(WholePixel);
   if (!this->PrepareGather())
   {
@@ -745,6 +830,10 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
       kept.GatherError.clear();
       this->DrawGeometry(Stage(), false);
       outcome = storage->End();
+      if (outcome == Outcome::Complete && !this->Retrieve())
+      {
+        return false;
+      }
       if (outcome == Outcome::Complete && !kept.Volumes.GetProps().empty()) // they go through whole lists only
       {
         if (!this->DrawVolumes())
@@ -762,7 +851,12 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
     {
       case Outcome::Complete:
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        if (this->Pass->CountAccesses && !this->CountAccesses())
+        {
+          return false;
+        }
         kept.PlanFragments += storage->GetFragments();
+        kept.PlanUnits += storage->GetUnits();
         kept.Plan.insert(kept.Plan.begin(), this->Tile); // the last drawn comes first: see Waiting
         return true;
       case Outcome::Grown:
@@ -1009,7 +1103,12 @@ vtkShaderProgram* vtkTranslucencyFrame::PrepareProgram(
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
   const auto selection = this->GetSelection();
-  const std::string key = Key(file, defines, this->GetOfferedDefines()) + Key("", selection, {});
+  Defines offered = this->GetOfferedDefines();
+  if (this->Storage)
+  {
+    offered["NODE_LINKS"] = this->Storage->HasLinks() ? "1" : "0";
+  }
+  const std::string key = Key(file, defines, offered) + Key("", selection, {});
   const auto found = kept.Programs.find(key);
   if (found != kept.Programs.end())
   {
@@ -1017,8 +1116,8 @@ vtkShaderProgram* vtkTranslucencyFrame::PrepareProgram(
   }
   vtkTranslucencyShader fragment;
   vtkTranslucencyShader vertex;
-  for (bool ready : { fragment.Assemble(file, defines, this->GetOfferedDefines(), selection),
-         vertex.Assemble(vertexFile, {}, this->GetOfferedDefines(), selection), fragment.Validate(""),
+  for (bool ready : { fragment.Assemble(file, defines, offered, selection),
+         vertex.Assemble(vertexFile, {}, offered, selection), fragment.Validate(""),
          vertex.Validate("", vtkShader::Vertex) })
   {
     if (!ready)
@@ -1091,9 +1190,15 @@ bool vtkTranslucencyFrame::Resolve(
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::PrepareSorting()
+{
+  return this->Storage->ReserveLinks() || this->Fail("the driver has no memory for sorting fragments");
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::SortLists(const Squares& squares)
 {
-  bool drawn = this->Resolve("Common/SortRuns.glsl", {}, squares);
+  bool drawn = this->PrepareSorting() && this->Resolve("Common/SortRuns.glsl", {}, squares);
   const vtkTypeInt64 deepest = drawn ? this->GetDeepestPixel() : 0;
   for (int length = 32; length < deepest && drawn; length *= 2)
   {

@@ -17,6 +17,7 @@
 #define vtkTranslucencyFrame_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkStorageAccounting.h"           // for the accesses
 #include "vtkType.h"
 
 #include <array>
@@ -197,6 +198,9 @@ public:
   bool Resolve(const std::string& file, const Defines& defines, const Squares& squares,
     const Uniforms& uniforms = {});
 
+  /// Before a resolve that includes Storage/SortList.glsl.
+  bool PrepareSorting();
+
   /// Puts the pixels' lists of fragments into front-to-back order, where they lie.
   bool SortLists(const Squares& squares);
 
@@ -228,6 +232,9 @@ private:
   bool Fail(const std::string& error);
   void ChooseTransmission();
   Defines GetOfferedDefines() const;
+  bool Retrieve();
+  bool CountAccesses();
+  void ReportAccesses();
   void UseWholeViewportIfItFits();
   void UseWholeViewport();
   void UseTile();
@@ -251,7 +258,7 @@ private:
   Rectangle Drawn; // the part of the viewport that the scissor test leaves
   Rectangle Tile;
   std::vector<Rectangle> Waiting; // tiles still to be drawn, the next one last
-  vtkTypeInt64 LastFragments; // of the frame before, all tiles
+  vtkTypeInt64 LastUnits; // of room, that fragments took in the frame before, all tiles
   vtkFragmentStorage* Storage = nullptr;
   int Samples = 1; // of a pixel
   int TargetSamples = 1; // the same, whether or not the driver can tell them apart
@@ -265,6 +272,8 @@ private:
   bool Cut = false; // whether this frame has cut a tile
   int Sample = WholePixel; // that resolves see
   int Among = -1;
+  vtkStorageAccounting::Histogram Counted; // where accesses are counted: of all tiles,
+  vtkStorageAccounting::Accesses Accesses; // and the accesses to them
   std::string Error;
 };
 

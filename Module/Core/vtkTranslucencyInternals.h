@@ -122,10 +122,12 @@ struct vtkTranslucencyPass::Internals
   vtkTranslucencyBuffer FrameBlock;
   vtkTranslucencyBuffer StatisticsBlock;
   vtkTranslucencyBuffer SampleColors; // Shaders/Common/SampleColors.glsl
+  vtkTranslucencyBuffer PixelFragments; // Shaders/Storage/CountAccesses.glsl
 
-  // The tiles of the last frame, the first drawn last, and the fragments in them all.
+  // The tiles of the last frame, the first drawn last, and the fragments in them all, with the room that those took.
   std::vector<vtkTranslucencyFrame::Rectangle> Plan;
   vtkTypeInt64 PlanFragments = 0;
+  vtkTypeInt64 PlanUnits = 0;
 
   vtkNew<vtkTranslucencyStatistics> Statistics;
   double GatherTime = -1; // milliseconds, all tiles; negative if not measured

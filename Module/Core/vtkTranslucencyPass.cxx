@@ -111,6 +111,7 @@ void vtkTranslucencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeasureTimes: " << this->MeasureTimes << "\n";
+  os << indent << "CountAccesses: " << this->CountAccesses << "\n";
   os << indent << "CriticalSection: " << this->CriticalSection << "\n";
   os << indent << "TranslucentPass:\n";
   if (this->TranslucentPass)
@@ -160,6 +161,7 @@ void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
   this->FrameBlock.Release(alive);
   this->StatisticsBlock.Release(alive);
   this->SampleColors.Release(alive);
+  this->PixelFragments.Release(alive);
   this->GatherKey.clear();
   this->GatherText.clear();
   this->Programs.clear();
@@ -497,6 +499,10 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
       }
     }
     kept.Statistics->SetTiles(tiles);
+    if (error.empty())
+    {
+      frame.ReportAccesses();
+    }
   }
   kept.Statistics->SetFragments(kept.PlanFragments);
   kept.Statistics->SetBytes(

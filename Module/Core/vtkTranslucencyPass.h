@@ -99,6 +99,16 @@ public:
   vtkBooleanMacro(MeasureTimes, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether techniques that keep all fragments count the accesses to their storage, for the statistics. Off by default: each frame then reads all fragments
+   * once more, and fragments are stored by other shaders than without.
+   */
+  vtkSetMacro(CountAccesses, bool);
+  vtkGetMacro(CountAccesses, bool);
+  vtkBooleanMacro(CountAccesses, bool);
+  ///@}
+
   /**
    * What the last frame drew and cost. Asking waits for that frame to end; the window's context must be current, as it is
    * after Render().
@@ -203,6 +213,7 @@ protected:
   vtkRenderPass* TranslucentPass = nullptr;
   vtkRenderPass* VolumetricPass = nullptr;
   bool MeasureTimes = false;
+  bool CountAccesses = false;
   int CriticalSection = Automatic;
 
 private:

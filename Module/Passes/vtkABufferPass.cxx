@@ -60,7 +60,7 @@ bool vtkABufferPass::ResolveLists(vtkTranslucencyFrame& frame)
   }
   const bool runs = this->Storage->GetMostExpected() > rest.Fewer || frame.IsLeftTo(Runs);
   return (!runs ||
-           frame.Resolve(
-             "ABuffer/ResolveRuns.glsl", { { "LONGER_LEVEL", LevelText(Long) } }, rest)) &&
+           (frame.PrepareSorting() &&
+             frame.Resolve("ABuffer/ResolveRuns.glsl", { { "LONGER_LEVEL", LevelText(Long) } }, rest))) &&
     this->ResolveLeftLists(frame);
 }

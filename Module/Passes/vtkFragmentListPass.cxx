@@ -2,11 +2,37 @@
 
 #include "Common/Bindings.glsl"
 #include "vtkLinkedListStorage.h"
+#include "vtkMBufferStorage.h"
+#include "vtkRBufferStorage.h"
+#include "vtkTBufferStorage.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFrame.h"
 #include "vtkTranslucencyOption.h"
 
 #include <algorithm>
+
+namespace
+{
+using Design = vtkStorageAccounting::Design;
+
+// In the order of StorageDesignType.
+const Design Designs[] = { Design::LinkedList, Design::TBuffer, Design::RBuffer, Design::MBuffer };
+
+vtkSmartPointer<vtkFragmentStorage> NewStorage(Design design)
+{
+  switch (design)
+  {
+    case Design::TBuffer:
+      return vtkSmartPointer<vtkTBufferStorage>::New();
+    case Design::RBuffer:
+      return vtkSmartPointer<vtkRBufferStorage>::New();
+    case Design::MBuffer:
+      return vtkSmartPointer<vtkMBufferStorage>::New();
+    default:
+      return vtkSmartPointer<vtkLinkedListStorage>::New();
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkFragmentListPass::vtkFragmentListPass()
@@ -24,6 +50,7 @@ vtkFragmentListPass::~vtkFragmentListPass()
 void vtkFragmentListPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SectionLength: " << this->SectionLength << "\n";
   os << indent << "Storage:\n";
   this->Storage->PrintSelf(os, indent.GetNextIndent());
 }
@@ -40,6 +67,7 @@ void vtkFragmentListPass::SetStorage(vtkFragmentStorage* storage)
   {
     this->ReleaseGraphicsResources(nullptr); // what the old one holds
     this->Storage = storage;
+    this->SectionLengthWarned = false;
     this->Modified();
   }
 }
@@ -51,9 +79,80 @@ vtkFragmentStorage* vtkFragmentListPass::GetStorage()
 }
 
 //------------------------------------------------------------------------------
+void vtkFragmentListPass::SetStorageDesign(int design)
+{
+  if (design < LinkedList || design > MBuffer)
+  {
+    vtkErrorMacro(<< "StorageDesign is " << design << ", expected LinkedList (0), TBuffer (1), RBuffer (2) or MBuffer (3)");
+    return;
+  }
+  if (this->GetStorageDesign() != design)
+  {
+    const auto storage = NewStorage(Designs[design]);
+    storage->SetColorFormat(this->Storage->GetColorFormat());
+    storage->SetMemoryLimit(this->Storage->GetMemoryLimit());
+    this->SetStorage(storage);
+    this->UseSectionLength();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkFragmentListPass::GetStorageDesign()
+{
+  return static_cast<int>(std::find(std::begin(Designs), std::end(Designs), this->Storage->GetDesign()) - std::begin(Designs));
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentListPass::SetSectionLength(int fragments)
+{
+  if (fragments < 1 || fragments > vtkSectionStorage::LongestSection)
+  {
+    vtkErrorMacro(<< "SectionLength is " << fragments << ", expected 1 to " << vtkSectionStorage::LongestSection << " fragments");
+    return;
+  }
+  this->SectionLengthGiven = true;
+  this->SectionLengthWarned = false;
+  if (this->SectionLength != fragments)
+  {
+    this->SectionLength = fragments;
+    this->Modified();
+  }
+  this->UseSectionLength();
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentListPass::UseSectionLength()
+{
+  auto* storage = vtkSectionStorage::SafeDownCast(this->Storage);
+  if (storage && this->SectionLengthGiven)
+  {
+    storage->SetSectionLength(this->SectionLength);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
 {
-  return this->Storage->GetOptions();
+  using Kind = vtkTranslucencyOption::Kind;
+  vtkTranslucencyOption design{ "StorageDesign", "storage", Kind::Choice, LinkedList, 0, MBuffer, {},
+    "where fragments lie until they are resolved: the picture is the same",
+    [this] { return this->GetStorageDesign(); },
+    [this](double value) { this->SetStorageDesign(static_cast<int>(value)); } };
+  for (Design choice : Designs)
+  {
+    design.Choices.push_back(vtkStorageAccounting::GetName(choice));
+  }
+  std::vector<vtkTranslucencyOption> options{ design,
+    { "SectionLength", "section_length", Kind::Integer, 4, 1, vtkSectionStorage::LongestSection, {},
+      "fragments in a section of the t-buffer or m-buffer: longer ones for deeper scenes; the m-buffer's are as long as pixels hold on average, unless "
+      "this is given",
+      [this] { return this->GetSectionLength(); },
+      [this](double value) { this->SetSectionLength(static_cast<int>(value)); } } };
+  for (const vtkTranslucencyOption& option : this->Storage->GetOptions())
+  {
+    options.push_back(option);
+  }
+  return options;
 }
 
 //------------------------------------------------------------------------------
@@ -77,6 +176,12 @@ std::string vtkFragmentListPass::LevelText(int level)
 //------------------------------------------------------------------------------
 bool vtkFragmentListPass::RenderStages(vtkTranslucencyFrame& frame)
 {
+  if (this->SectionLengthGiven && !this->SectionLengthWarned && !vtkSectionStorage::SafeDownCast(this->Storage))
+  {
+    vtkWarningMacro(<< "SectionLength is " << this->SectionLength << ", but " << vtkStorageAccounting::GetName(this->Storage->GetDesign())
+                    << " has no sections: expected StorageDesign TBuffer or MBuffer");
+    this->SectionLengthWarned = true;
+  }
   return frame.Gather(this->Storage) && frame.ReserveSampleColors() && this->ResolveLists(frame) &&
     (!frame.IsLeftTo(LEVEL_EACH_SAMPLE) || this->ResolveEachSample(frame)) &&
     (!frame.IsLeftTo(LEVEL_SAMPLES) || frame.CompositeSamples());

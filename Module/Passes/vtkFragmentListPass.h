@@ -26,6 +26,32 @@ public:
   vtkFragmentStorage* GetStorage();
   ///@}
 
+  enum StorageDesignType
+  {
+    LinkedList = 0,
+    TBuffer = 1,
+    RBuffer = 2,
+    MBuffer = 3
+  };
+
+  ///@{
+  /**
+   * The design of the storage: LinkedList (the default), TBuffer, RBuffer or MBuffer. Another design makes a new storage, with the colour format and the
+   * memory limit of the one before. Another value is an error and changes nothing.
+   */
+  void SetStorageDesign(int design);
+  int GetStorageDesign();
+  ///@}
+
+  ///@{
+  /**
+   * How many fragments a section of the T-buffer or the M-buffer holds, 1 to 64; 4 by default, but for the M-buffer, which follows the
+   * scene until this is set. Set for a storage that has no sections, it does nothing, and drawing warns of it. A value out of range is an error and changes nothing.
+   */
+  void SetSectionLength(int fragments);
+  vtkGetMacro(SectionLength, int);
+  ///@}
+
   std::vector<vtkTranslucencyOption> GetOptions() override;
 
 protected:
@@ -76,7 +102,12 @@ protected:
   vtkSmartPointer<vtkFragmentStorage> Storage;
 
 private:
+  void UseSectionLength();
   bool ResolveEachSample(vtkTranslucencyFrame& frame);
+
+  int SectionLength = 4;
+  bool SectionLengthGiven = false;
+  bool SectionLengthWarned = false;
 
   int LargestBlock = 0; // of the short lists in this tile
 

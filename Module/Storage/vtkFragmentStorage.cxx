@@ -49,7 +49,7 @@ std::vector<vtkTranslucencyOption> vtkFragmentStorage::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   return { { "ColorFormat", "color_format", Kind::Choice, 0, 0, 1, { "half-float", "rgba8" },
-             "how a fragment's colour is kept; rgba8 takes 12 bytes a fragment instead of 16, and loses opacities "
+             "how a fragment's colour is kept; rgba8 takes 4 bytes less a fragment, and loses opacities "
              "near 1/255",
              [this] { return this->GetColorFormat(); },
              [this](double value) { this->SetColorFormat(static_cast<int>(value)); } },
@@ -64,7 +64,8 @@ std::vector<vtkTranslucencyOption> vtkFragmentStorage::GetOptions()
 std::map<std::string, std::string> vtkFragmentStorage::GetDefines() const
 {
   return { { "COLOR_FORMAT", this->ColorFormat == RGBA8 ? "COLOR_FORMAT_RGBA8"
-                                                        : "COLOR_FORMAT_HALF_FLOAT" } };
+                                                        : "COLOR_FORMAT_HALF_FLOAT" },
+    { "COUNT_ACCESSES", this->CountAccesses ? "1" : "0" } };
 }
 
 //------------------------------------------------------------------------------

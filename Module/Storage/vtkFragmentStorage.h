@@ -15,6 +15,7 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkStorageAccounting.h"           // for GetAccesses
 
 #include <array>  // for Rectangle
 #include <map>    // for GetDefines
@@ -69,11 +70,23 @@ public:
     OutOfMemory, // the driver has no memory, even for less than the limit
   };
 
-  /// How many opacities a fragment has, 1 or 3 (Shaders/Common/Channels.glsl), from the next tile on. Core's to set.
-  void SetChannels(int channels) { this->Channels = channels; }
+  /// How many opacities a fragment has, 1 or 3 (Shaders/Common/Channels.glsl), and a pixel samples, from the next tile on. Core's to set.
+  void SetChannelsAndSamples(int channels, int samples)
+  {
+    this->Channels = channels;
+    this->Samples = samples;
+  }
 
-  /// "Name" stands for the files Storage/Name.glsl (storeFragment, firstFragment, nextFragment) and Storage/NameSort.glsl
-  /// (sortFragments) of Module/Shaders; shaders include them as Storage/Selected.glsl and Storage/SelectedSort.glsl.
+  /// Whether shaders count what they access, from the next tile on. Core's to set.
+  void SetCountAccesses(bool count) { this->CountAccesses = count; }
+
+  /// The design that it builds.
+  virtual vtkStorageAccounting::Design GetDesign() const = 0;
+
+  /// Of those that have sections: how many fragments one holds; else 1.
+  virtual int GetSectionFragments() const { return 1; }
+
+  /// "Name" stands for the file Storage/Name.glsl of Module/Shaders; shaders include it as Storage/Selected.glsl.
   virtual const char* GetShaderName() const = 0;
 
   /// What shaders that store or read fragments need defined.
@@ -82,6 +95,9 @@ public:
   /// Empty if the storage can serve a viewport of this size under the limit, else why not.
   virtual std::string GetObstacle(
     const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
+
+  /// Before the first tile of a frame: what shaders need defined may change here, and nowhere else but by setting properties.
+  virtual void BeginFrame() {}
 
   /// Makes ready for a tile: OutOfMemory or Complete.
   virtual Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) = 0;
@@ -92,15 +108,29 @@ public:
   /// After TooLarge: how many parts of this tile would fit, if fragments were spread evenly; at least 2.
   virtual int GetPartsNeeded() const = 0;
 
+  /// What is run before fragments can be read: a file of Module/Shaders that is drawn, an invocation for each of the cells that BeginRetrieval gives,
+  /// until it discards them all; null where nothing is to be run.
+  virtual const char* GetRetrieval() const { return nullptr; }
+  virtual std::array<int, 2> BeginRetrieval() { return { { 0, 0 } }; }
+
+  /// Before the order of fragments is changed (Shaders/Storage/SortList.glsl): false if there is no memory for that. From then on, until the
+  /// next tile, shaders that read fragments need links.
+  virtual bool ReserveLinks() { return true; }
+  virtual bool HasLinks() const { return false; }
+
   /// Fragments of the tile, after Complete.
   virtual vtkTypeInt64 GetFragments() const = 0;
 
   /// The most that the shaders' squareFragments gives for a square of the tile, after Complete.
   virtual int GetMostExpected() const = 0;
 
-  /// True if that many fragments of a viewport would be taken in one tile.
-  virtual bool Fits(vtkTypeInt64 fragments, const Rectangle& viewport,
+  /// Units of room that they take; and whether that many units of a viewport would be taken in one tile.
+  virtual vtkTypeInt64 GetUnits() const = 0;
+  virtual bool Fits(vtkTypeInt64 units, const Rectangle& viewport,
     const vtkTranslucencyCapabilities& capabilities) const = 0;
+
+  /// What shaders have counted in the tile, where they do, after Shaders/Storage/CountAccesses.glsl has read all fragments once.
+  virtual vtkStorageAccounting::Accesses GetAccesses() const = 0;
 
   /// Bytes as allocated.
   virtual vtkTypeInt64 GetBytes() const = 0;
@@ -118,6 +148,8 @@ protected:
   int ColorFormat = HalfFloat;
   double MemoryLimit = 0;
   int Channels = 1;
+  int Samples = 1;
+  bool CountAccesses = false;
 
 private:
   vtkFragmentStorage(const vtkFragmentStorage&) = delete;

@@ -98,6 +98,15 @@ public:
     std::int64_t SecondDepth = 0; ///< to the R-buffer's second depth buffer
     std::int64_t FrameBuffer = 0; ///< blending, where fragments come one a pass
 
+    Accesses& operator+=(const Accesses& others)
+    {
+      this->Stores += others.Stores;
+      this->Reads += others.Reads;
+      this->Table += others.Table;
+      this->SecondDepth += others.SecondDepth;
+      this->FrameBuffer += others.FrameBuffer;
+      return *this;
+    }
     std::int64_t GetTotal() const { return this->Stores + this->Reads + this->Table + this->SecondDepth + this->FrameBuffer; }
   };
 

@@ -13,6 +13,19 @@ void loadBlock(ivec2 pixel, out Block block, out uint count, out uint unread)
   emptyBlock(block);
   count = 0u;
   unread = firstFragment(pixel);
+#if READ_GROUP > 1
+  for (int i = 0; i < BLOCK_SIZE; i += READ_GROUP)
+  {
+    Fragment group[READ_GROUP];
+    count += nextGroup(unread, group);
+    for (int j = 0; j < READ_GROUP; ++j)
+    {
+      block.depth[i + j] = group[j].depth;
+      block.color[i + j] = group[j].color;
+      block.carried[i + j] = group[j].coverage;
+    }
+  }
+#else
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
     Fragment fragment;
@@ -24,6 +37,7 @@ void loadBlock(ivec2 pixel, out Block block, out uint count, out uint unread)
       ++count;
     }
   }
+#endif
 }
 
 #endif

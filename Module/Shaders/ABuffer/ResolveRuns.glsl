@@ -11,7 +11,7 @@
 #include "Common/Fragment.glsl"
 #include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
-#include "Storage/SelectedSort.glsl"
+#include "Storage/SortList.glsl"
 
 #define RUNS 8
 

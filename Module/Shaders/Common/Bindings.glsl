@@ -7,7 +7,10 @@
 #define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel; counts of records; a technique's table
 #define STORAGE_BINDING_FRAGMENTS 3  // fragment storage: the fragments; records of pixels
 #define STORAGE_BINDING_SAMPLES 4    // see SampleColors.glsl
-#define STORAGE_BINDINGS 5
+#define STORAGE_BINDING_NEXT 5       // fragment storage: next sections; the pixels of a queue
+#define STORAGE_BINDING_LINKS 6      // fragment storage: links of fragments that have been moved; second depths
+#define STORAGE_BINDING_READ_BACK 7  // what the application reads, see Storage/CountAccesses.glsl
+#define STORAGE_BINDINGS 8
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
 #define LEVEL_SAMPLES 31  // pixels whose samples differ and wait in SampleColors.glsl

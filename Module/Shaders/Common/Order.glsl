@@ -12,6 +12,8 @@
 #error "Order.glsl needs FRAGMENT_ORDER"
 #endif
 
+#define BLOCK_EMPTY 2.0f // the depth of no fragment: behind every window depth
+
 #define FRAGMENT_ORDER_DRAWN 0
 #define FRAGMENT_ORDER_CONTENT 1
 

@@ -21,8 +21,6 @@
 #error "SortBlock.glsl needs EQUAL_DEPTHS"
 #endif
 
-#define BLOCK_EMPTY 2.0f // behind every window depth
-
 struct Block
 {
   float depth[BLOCK_SIZE];

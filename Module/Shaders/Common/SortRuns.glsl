@@ -2,7 +2,7 @@
 //
 // Needs: what the storage's sorting needs.
 #include "Common/Statistics.glsl"
-#include "Storage/SelectedSort.glsl"
+#include "Storage/SortList.glsl"
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {

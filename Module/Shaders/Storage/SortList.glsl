@@ -1,17 +1,19 @@
-// LinkedListSort.glsl: puts a pixel's list into front-to-back order by changing its links, in n log n steps.
+// SortList.glsl: puts a pixel's list into front-to-back order by changing its links, in n log n steps.
 //
 // Runs of 32 nodes are sorted in registers; then, pass after pass, pairs of runs are merged (the bottom-up merge sort of linked
 // lists). A run that was nearer the head keeps precedence among equals, which keeps the order of drawing. Each list belongs to
 // one invocation: nothing is shared. Loops take several nodes a round: drivers may limit the rounds of a loop.
 //
-// Needs: COLOR_FORMAT, FRAGMENT_ORDER.  Gives: sortRuns, mergeRuns, and for lists that a resolve merges itself: SortedList,
+// A storage whose fragments have no links gets them for this (vtkFragmentStorage::ReserveLinks).
+//
+// Needs: what the storage needs, FRAGMENT_ORDER.  Gives: sortRuns, mergeRuns, and for lists that a resolve merges itself: SortedList,
 // startList, appendSortedRun, endList.
-#ifndef LinkedListSort_glsl
-#define LinkedListSort_glsl
+#ifndef SortList_glsl
+#define SortList_glsl
 #define BLOCK_SIZE 32
 #define EQUAL_DEPTHS 1
 #include "Common/SortBlock.glsl"
-#include "Storage/LinkedList.glsl"
+#include "Storage/Selected.glsl"
 
 #define NODES_A_ROUND 8
 
@@ -40,6 +42,7 @@ void endList(SortedList list, ivec2 pixel)
 
 void appendNode(inout SortedList list, uint node)
 {
+  node = linkedNode(node);
   if (list.last != 0u)
   {
     linkNode(list.last, node);
@@ -73,7 +76,7 @@ uint appendSortedRun(inout SortedList list, out uint length)
       appendNode(list, block.carried[i]);
     }
   }
-  return block.carried[0];
+  return linkedNode(block.carried[0]);
 }
 
 // Sorts the list in runs of 32. Gives the number of fragments; unread is 0 unless the driver has ended the loop.

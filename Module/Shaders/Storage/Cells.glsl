@@ -1,0 +1,84 @@
+// Cells.glsl: what all storages share: units (a node, a section) that a cell of pixels takes from a range of its own.
+//
+// vtkCellStorage.h says why. A cell's counter begins at the range's first unit. Counting goes on when the range is used up, into the next
+// cell's units or past the last one, so that the application knows what was needed: it then draws again.
+//
+// Writes need no memory barrier among each other: each unit is written by those invocations only that were given a place in it, and only
+// the atomic operations meet. The barrier between writing and reading is the application's.
+//
+// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage).
+// Gives: cellUnits, headIndex, counterOf, takeUnit, squareFragments; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are counted readAccesses,
+// tableAccesses, addAccesses.
+#ifndef Cells_glsl
+#define Cells_glsl
+#ifndef COUNT_ACCESSES
+#error "Storage/Cells.glsl needs COUNT_ACCESSES"
+#endif
+#include "Common/Bindings.glsl"
+#include "Common/Frame.glsl"
+#include "Storage/CellLayout.glsl"
+
+layout(std140, binding = UNIFORM_BINDING_STORAGE) uniform StorageLayout
+{
+  uint cellShift;
+  uint cellsPerRow;
+  uint cellUnits; // of all cells
+};
+
+layout(std430, binding = STORAGE_BINDING_COUNTERS) buffer StorageCounters
+{
+  uint cells[]; // CELL_WORDS each
+};
+
+uint headIndex(ivec2 pixel)
+{
+  ivec2 at = pixel - frameTile.xy;
+  return uint(at.y * frameTile.z + at.x);
+}
+
+uint counterOf(ivec2 pixel)
+{
+  uvec2 cell = uvec2(pixel - frameTile.xy) >> cellShift;
+  return (cell.y * cellsPerRow + cell.x) * CELL_WORDS;
+}
+
+uint takeUnit(uint counter)
+{
+  return atomicAdd(cells[counter + CELL_NEXT], 1u);
+}
+
+// Fragments of a cell: the storage's to say.
+uint fragmentsOfCell(uint counter);
+
+// About as many fragments as a pixel of the square that begins at this one holds: the mean of its cell, rounded up. 0 only if no
+// pixel of the square holds a fragment; a cell is a whole number of squares.
+uint squareFragments(ivec2 pixel)
+{
+  uint pixels = 1u << (2u * cellShift);
+  return (fragmentsOfCell(counterOf(pixel)) + pixels - 1u) / pixels;
+}
+
+// Accesses of an invocation that reads lists. The storage says which of them count: READS_COUNT, TABLE_COUNTS.
+#if COUNT_ACCESSES
+uint readAccesses = 0u;
+uint tableAccesses = 0u;
+
+void addAccesses(uint counter, uint kind, uint count)
+{
+  uint before = atomicAdd(cells[counter + kind], count);
+  if (before + count < before)
+  {
+    atomicAdd(cells[counter + kind + 1u], 1u);
+  }
+}
+
+#define COUNT_STORE(counter) atomicAdd(cells[(counter) + CELL_STORES], 1u)
+#define COUNT_READ() readAccesses += uint(READS_COUNT)
+#define COUNT_TABLE(entry) tableAccesses += (entry) != 0u ? uint(TABLE_COUNTS) : 0u // as in the paper, where empty entries cost nothing
+#else
+#define COUNT_STORE(counter)
+#define COUNT_READ()
+#define COUNT_TABLE(entry)
+#endif
+
+#endif

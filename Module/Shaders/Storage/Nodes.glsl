@@ -1,0 +1,165 @@
+// Nodes.glsl: fragments with a link to another one of their pixel, or to the next one of a queue.
+//
+// Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node in 24 bits (0: none),
+// so that the coverage finds room beside it.
+//
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, COUNT_ACCESSES.
+// Gives: writeNode, and of what Shaders/README.md asks of a storage all but storeFragment.
+#ifndef Nodes_glsl
+#define Nodes_glsl
+#include "Common/Fragment.glsl"
+#include "Storage/Heads.glsl"
+
+// A node is next, depth, and the words of the colour that are in use.
+#if COLOR_FORMAT == COLOR_FORMAT_RGBA8 && TRANSMITTANCE_CHANNELS == 1
+#define NODE_WORDS 3
+#elif COLOR_FORMAT == COLOR_FORMAT_RGBA8 || TRANSMITTANCE_CHANNELS == 1
+#define NODE_WORDS 4
+#else
+#define NODE_WORDS 5
+#endif
+
+layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer ListNodes
+{
+#if NODE_WORDS == 4
+  uvec4 listNodes[];
+#else
+  uint listNodes[];
+#endif
+};
+
+// The first word of a node.
+uint packLink(uint node, uint next, uint coverage)
+{
+#if SAMPLES > 1
+  uint distance = next == 0u ? 0u : (next - node) & LINK_MASK;
+  return coverage << LINK_BITS | distance;
+#else
+  return next;
+#endif
+}
+
+uint unpackNext(uint node, uint link)
+{
+#if SAMPLES > 1
+  int distance = int(link << (32u - LINK_BITS)) >> (32u - LINK_BITS);
+  return distance == 0 ? 0u : uint(int(node) + distance);
+#else
+  return link;
+#endif
+}
+
+uint unpackCoverage(uint link)
+{
+#if SAMPLES > 1
+  return link >> LINK_BITS;
+#else
+  return ALL_SAMPLES;
+#endif
+}
+
+void writeNode(uint index, uint next, Fragment fragment)
+{
+  uint link = packLink(index + 1u, next, fragment.coverage);
+#if NODE_WORDS == 4
+  listNodes[index] = uvec4(link, floatBitsToUint(fragment.depth), fragment.color.xy);
+#else
+  uint word = index * uint(NODE_WORDS);
+  listNodes[word] = link;
+  listNodes[word + 1u] = floatBitsToUint(fragment.depth);
+  listNodes[word + 2u] = fragment.color.x;
+#if NODE_WORDS == 5
+  listNodes[word + 3u] = fragment.color.y;
+  listNodes[word + 4u] = fragment.color.z;
+#endif
+#endif
+}
+
+uint fragmentsOfCell(uint counter)
+{
+  return cells[counter + CELL_NEXT] - cells[counter + CELL_FIRST];
+}
+
+Fragment loadNode(uint node, out uint next)
+{
+  COUNT_READ();
+  uint last = 0u;
+#if NODE_WORDS == 4
+  uvec4 words = listNodes[node - 1u];
+#else
+  uint word = (node - 1u) * uint(NODE_WORDS);
+  uvec4 words = uvec4(listNodes[word], listNodes[word + 1u], listNodes[word + 2u], 0u);
+#if NODE_WORDS == 5
+  words.w = listNodes[word + 3u];
+  last = listNodes[word + 4u];
+#endif
+#endif
+  next = unpackNext(node, words.x);
+  return Fragment(uintBitsToFloat(words.y), PackedColor(uvec3(words.zw, last)), unpackCoverage(words.x));
+}
+
+void linkNode(uint node, uint next)
+{
+#if NODE_WORDS == 4
+#define LINK_OF(node) listNodes[(node) - 1u].x
+#else
+#define LINK_OF(node) listNodes[((node) - 1u) * uint(NODE_WORDS)]
+#endif
+#if SAMPLES > 1
+  LINK_OF(node) = packLink(node, next, unpackCoverage(LINK_OF(node)));
+#else
+  LINK_OF(node) = next;
+#endif
+}
+
+// What the sorting has to call a node whose link it changes.
+uint linkedNode(uint node)
+{
+  return node;
+}
+
+uint firstFragment(ivec2 pixel)
+{
+  return headOf(pixel);
+}
+
+void setFirstFragment(ivec2 pixel, uint node)
+{
+  setHead(pixel, node);
+}
+
+// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at. The list is read again before
+// anything is drawn again: it must not reach into the next cell's nodes.
+void insertFragment(ivec2 pixel, uint after, Fragment fragment)
+{
+  uint counter = counterOf(pixel);
+  uint index = takeUnit(counter);
+  if (index < cells[counter + CELL_END])
+  {
+    uint next = heads[headIndex(pixel)];
+    if (after == 0u)
+    {
+      setFirstFragment(pixel, index + 1u);
+    }
+    else
+    {
+      loadNode(after, next);
+      linkNode(after, index + 1u);
+    }
+    writeNode(index, next, fragment);
+  }
+}
+
+bool nextFragment(inout uint cursor, out Fragment fragment)
+{
+  if (cursor == 0u)
+  {
+    return false;
+  }
+  fragment = atSample(loadNode(cursor, cursor));
+  return true;
+}
+
+#define READ_GROUP 1
+
+#endif

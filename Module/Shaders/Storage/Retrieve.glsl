@@ -1,0 +1,130 @@
+// Retrieve.glsl: one pass over the R-buffer's queues, an invocation a cell, which reads its fragments one after the other.
+//
+// A pass takes the farthest fragment of each pixel out of the queue. The first one read of a pixel is held; where a later one is behind it, that one is
+// held, and the one before takes its place in the queue. Depths of those that are held are the second depth buffer. Of equal depths the one drawn
+// earlier leaves first. What is held is put before the pixel's list when the pixel is next met in a later pass, or at the end: so the list begins with the
+// nearest fragment when the queue is empty.
+//
+// The state of a pixel, three bits, is the pass that its fragment was held in, modulo 8: until none of it is in the queue, it
+// is met in every pass. Nothing is shared: a pixel belongs to one cell, a cell to one invocation.
+//
+// Needs: FRAGMENT_ORDER, and what Storage/RBuffer.glsl needs.  Gives: main; the fragment is discarded when the cell's queue is empty.
+#include "Common/Order.glsl"
+#include "Common/Statistics.glsl"
+#include "Storage/RBuffer.glsl"
+
+#define NODES_A_ROUND 8 // drivers may limit the rounds of a loop
+
+out vec4 fragOutput0;
+
+uint framesBuffered = 0u; // fragments that have left: the paper blends them with the frame buffer then
+
+// Puts what is held of a pixel before its list.
+void leaveQueue(uint at)
+{
+  uint node = secondDepths[at].x & HEAD_MASK;
+  if (node != 0u)
+  {
+    linkNode(node, heads[at]);
+    heads[at] = node;
+    secondDepths[at].x = 0u;
+    ++framesBuffered;
+  }
+}
+
+void hold(uint at, uint node, float depth, uint state)
+{
+  secondDepths[at] = uvec2(state << uint(HEAD_BITS) | node, floatBitsToUint(depth));
+}
+
+bool isBehind(uint node, Fragment fragment, uint held, float depth)
+{
+#if FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN
+  PackedColor color = fragment.color;
+#else
+  uint next;
+  PackedColor color = loadNode(held, next).color;
+#endif
+  return inFront(depth, color, ~held, fragment.depth, fragment.color, ~node);
+}
+
+// Puts a node at the end of the part of the queue that has been read, behind last; gives the queue's first one.
+uint putBack(uint first, uint last, uint node)
+{
+  if (last != 0u)
+  {
+    linkNode(last, node);
+  }
+  return last == 0u ? node : first;
+}
+
+void main()
+{
+  ivec2 cell = ivec2(gl_FragCoord.xy) - frameTile.xy;
+  uint counter = (uint(cell.y) * cellsPerRow + uint(cell.x)) * CELL_WORDS;
+  uint pass = cells[counter + CELL_PASSES];
+  uint end = cells[counter + CELL_NEXT];
+  uint cursor = pass > 0u ? cells[counter + CELL_QUEUE] : cells[counter + CELL_FIRST] + 1u;
+  bool empty = cursor == 0u || cursor > end; // the last one's link leads to where the next one would have been
+  uint first = 0u;
+  uint last = 0u;
+  uint read = 0u;
+  while (cursor != 0u && cursor <= end)
+  {
+    for (int i = 0; i < NODES_A_ROUND; ++i)
+    {
+      if (cursor != 0u && cursor <= end)
+      {
+        uint node = cursor;
+        Fragment fragment = loadNode(node, cursor);
+        uint at = queuePixels[node - 1u];
+        uvec2 second = secondDepths[at];
+        uint held = second.x & HEAD_MASK;
+        bool met = held != 0u && second.x >> uint(HEAD_BITS) == (pass & 7u);
+        ++read;
+        if (!met)
+        {
+          leaveQueue(at);
+          hold(at, node, fragment.depth, pass & 7u);
+        }
+        else
+        {
+          uint nearer = node;
+          if (isBehind(node, fragment, held, uintBitsToFloat(second.y)))
+          {
+            nearer = held;
+            hold(at, node, fragment.depth, pass & 7u);
+          }
+          first = putBack(first, last, nearer);
+          last = nearer;
+        }
+      }
+    }
+  }
+  recordUnfinished(cursor <= end ? cursor : 0u);
+  first = putBack(first, last, 0u);
+  if (!empty && first == 0u)
+  {
+    ivec2 corner = cell << cellShift;
+    ivec2 size = min(frameTile.zw - corner, ivec2(1 << cellShift));
+    for (int y = 0; y < size.y; ++y)
+    {
+      for (int x = 0; x < size.x; ++x)
+      {
+        leaveQueue(uint((corner.y + y) * frameTile.z + corner.x + x));
+      }
+    }
+  }
+#if COUNT_ACCESSES
+  addAccesses(counter, CELL_READS, read);
+  addAccesses(counter, CELL_SECOND_DEPTH, read);
+  addAccesses(counter, CELL_FRAME_BUFFER, framesBuffered);
+#endif
+  cells[counter + CELL_QUEUE] = first;
+  cells[counter + CELL_PASSES] = pass + 1u;
+  if (first == 0u)
+  {
+    discard;
+  }
+  fragOutput0 = vec4(0.0);
+}

@@ -1,0 +1,478 @@
+#include "vtkCellStorage.h"
+
+#include "Common/Bindings.glsl"
+#include "Storage/CellLayout.glsl"
+#include "vtkTranslucencyCapabilities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace
+{
+constexpr vtkTypeInt64 WordBytes = 4;
+constexpr vtkTypeInt64 LayoutBytes = 16;
+constexpr int FramesMovingAfterOverflow = 30;
+constexpr std::size_t LayoutsKept = 256;
+
+vtkTypeInt64 Pixels(const vtkFragmentStorage::Rectangle& tile)
+{
+  return static_cast<vtkTypeInt64>(tile[2]) * tile[3];
+}
+
+int CellsAcross(int pixels, int shift)
+{
+  return (pixels + (1 << shift) - 1) >> shift;
+}
+
+int SmallestCellShift(const vtkFragmentStorage::Rectangle& tile)
+{
+  int shift = SMALLEST_CELL_SHIFT;
+  while (CellsAcross(tile[2], shift) * CellsAcross(tile[3], shift) > MOST_CELLS)
+  {
+    ++shift;
+  }
+  return shift;
+}
+
+vtkTypeInt64 CounterBytes(const vtkFragmentStorage::Rectangle& tile)
+{
+  const int shift = SmallestCellShift(tile);
+  return CellsAcross(tile[2], shift) * CellsAcross(tile[3], shift) *
+    static_cast<vtkTypeInt64>(CELL_WORDS * WordBytes);
+}
+
+vtkTypeInt64 DividedUp(vtkTypeInt64 number, vtkTypeInt64 divisor)
+{
+  return (number + divisor - 1) / divisor;
+}
+
+// A count of two words.
+vtkTypeInt64 WideCount(const unsigned int* words)
+{
+  return static_cast<vtkTypeInt64>(words[1]) << 32 | words[0];
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "InitialFragments: " << this->InitialFragments << "\n";
+  os << indent << "Fragments: " << this->Fragments << "\n";
+  os << indent << "Bytes: " << this->GetBytes() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::SetInitialFragments(vtkTypeInt64 fragments)
+{
+  if (fragments < 0)
+  {
+    vtkErrorMacro(<< "InitialFragments is " << fragments << ", expected a positive number, or 0 for one a pixel");
+    return;
+  }
+  if (this->InitialFragments != fragments)
+  {
+    this->InitialFragments = fragments;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkCellStorage::GetColorWords() const
+{
+  return (this->ColorFormat == RGBA8 ? 1 : 2) + (this->Channels == 3 ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::GetLayoutBytes(const Layout& layout, const Rectangle& tile, vtkTypeInt64 units) const
+{
+  return WordBytes * (layout.PixelWords * Pixels(tile) + layout.UnitWords * units);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::GetUnitsAllowed(
+  const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) const
+{
+  const auto block = static_cast<double>(capabilities.MaximumBlockBytes);
+  double units = static_cast<double>(this->GetMostUnits(tile));
+  double pixelBytes = static_cast<double>(CounterBytes(tile) + LayoutBytes);
+  double unitBytes = 0;
+  for (const Layout& layout : this->GetLayouts()) // with links: they have to fit when they are wanted
+  {
+    const auto ofPixels = static_cast<double>(this->GetLayoutBytes(layout, tile, 0));
+    if (ofPixels > block)
+    {
+      return -1;
+    }
+    if (layout.UnitWords > 0)
+    {
+      units = std::min(units, std::floor((block - ofPixels) / static_cast<double>(layout.UnitWords * WordBytes)));
+    }
+    pixelBytes += ofPixels;
+    unitBytes += static_cast<double>(layout.UnitWords * WordBytes);
+  }
+  // A single pixel can't be cut: its fragments may pass the limit, but not what the driver can address.
+  if (Pixels(tile) > 1)
+  {
+    units = std::min(units, std::floor((this->GetLimitBytes(capabilities) - pixelBytes) / unitBytes));
+  }
+  return static_cast<vtkTypeInt64>(std::max(units, -1.0));
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pixels) const
+{
+  return DividedUp(std::max<vtkTypeInt64>(0, fragments - pixels * this->GetPixelFragments()), this->GetUnitFragments());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkCellStorage::GetObstacle(
+  const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const
+{
+  const Rectangle row{ { 0, 0, viewport[2], 1 } };
+  const vtkTypeInt64 units = this->GetPixelFragments() > 0 ? 0 : viewport[2];
+  if (this->GetUnitsAllowed(row, capabilities) >= units)
+  {
+    return "";
+  }
+  vtkTypeInt64 needed = CounterBytes(row) + LayoutBytes;
+  for (const Layout& layout : this->GetLayouts())
+  {
+    needed += this->GetLayoutBytes(layout, row, units);
+  }
+  std::ostringstream out;
+  out << "MemoryLimit is " << this->MemoryLimit << " MiB, expected at least "
+      << static_cast<double>(needed) / (1024.0 * 1024.0) << " MiB, one row of " << viewport[2]
+      << " pixels with one fragment each";
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkCellStorage::Fits(
+  vtkTypeInt64 units, const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const
+{
+  return units <= this->GetUnitsAllowed(viewport, capabilities);
+}
+
+//------------------------------------------------------------------------------
+vtkFragmentStorage::Outcome vtkCellStorage::Begin(
+  const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities)
+{
+  this->Tile = tile;
+  this->LinksReserved = false;
+  this->LimitBytes = this->GetLimitBytes(capabilities);
+  this->BlockBytes = static_cast<double>(capabilities.MaximumBlockBytes);
+  this->UnitsAllowed = this->GetUnitsAllowed(tile, capabilities);
+  const vtkTypeInt64 least = this->GetUnitsFor(Pixels(tile), Pixels(tile));
+  if (this->UnitsAllowed < least)
+  {
+    this->Units = std::max<vtkTypeInt64>(1, least); // what a fragment a pixel would take, for GetPartsNeeded
+    return Outcome::TooLarge;
+  }
+  if (this->Layouts.count(tile) == 0)
+  {
+    if (this->Layouts.size() >= LayoutsKept)
+    {
+      this->Layouts.clear();
+    }
+    TileLayout& layout = this->Layouts[tile];
+    layout.CellShift = SmallestCellShift(tile);
+    layout.CellsPerRow = CellsAcross(tile[2], layout.CellShift);
+    layout.Rows = CellsAcross(tile[3], layout.CellShift);
+  }
+
+  const TileLayout& layout = this->Layouts[tile];
+  this->Ranges = this->GetRanges(layout);
+  const vtkTypeInt64 units =
+    std::accumulate(this->Ranges.begin(), this->Ranges.end(), vtkTypeInt64(0));
+  if (units > this->UnitsAllowed) // the limit has been lowered since they were counted
+  {
+    this->Units = units;
+    return Outcome::TooLarge;
+  }
+  // While the view moves, the next frames will want more: rather once too much than a little more in every frame.
+  const vtkTypeInt64 room = layout.FramesMoving > 0 ? std::min(units + units / 2, this->UnitsAllowed) : units;
+  if (!this->ReserveBuffers(units, room, capabilities))
+  {
+    return Outcome::OutOfMemory;
+  }
+  std::vector<unsigned int> cells(CounterBytes(tile) / WordBytes, 0);
+  vtkTypeInt64 first = 0;
+  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  {
+    unsigned int* words = &cells[cell * CELL_WORDS];
+    words[CELL_NEXT] = static_cast<unsigned int>(first);
+    words[CELL_FIRST] = static_cast<unsigned int>(first);
+    first += this->Ranges[cell];
+    words[CELL_END] = static_cast<unsigned int>(first);
+  }
+  const std::array<unsigned int, 4> words{ { static_cast<unsigned int>(layout.CellShift),
+    static_cast<unsigned int>(layout.CellsPerRow), static_cast<unsigned int>(units), 0 } };
+  this->LayoutBlock.Upload(words.data(), LayoutBytes);
+  this->Counters.Upload(cells.data(), CounterBytes(tile));
+  this->Counters.BindStorage(STORAGE_BINDING_COUNTERS);
+  this->LayoutBlock.BindUniform(UNIFORM_BINDING_STORAGE);
+  for (const Layout& own : this->GetLayouts())
+  {
+    if (own.Used != Use::Links)
+    {
+      this->Buffers[own.Binding].BindStorage(own.Binding);
+    }
+    if (own.Used == Use::Cleared)
+    {
+      this->Buffers[own.Binding].Clear(this->GetLayoutBytes(own, tile, units));
+    }
+  }
+  return Outcome::Complete;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTypeInt64> vtkCellStorage::GetRanges(const TileLayout& layout) const
+{
+  const int across = layout.CellsPerRow;
+  const int rows = layout.Rows;
+  std::vector<vtkTypeInt64> tight(static_cast<std::size_t>(across) * rows);
+  if (layout.Counts.empty())
+  {
+    const vtkTypeInt64 pixelsOfCell = vtkTypeInt64(1) << (2 * layout.CellShift);
+    const vtkTypeInt64 least = this->GetUnitsFor(pixelsOfCell, pixelsOfCell);
+    vtkTypeInt64 left = this->GetUnitsFor(this->InitialFragments, 0);
+    for (vtkTypeInt64& range : tight)
+    {
+      range = this->InitialFragments > 0 ? std::min(least, left) : least;
+      left -= range;
+    }
+    return tight;
+  }
+  tight = layout.Counts;
+  std::vector<vtkTypeInt64> wide(tight.size());
+  for (int y = 0; y < rows; ++y)
+  {
+    for (int x = 0; x < across; ++x)
+    {
+      vtkTypeInt64 most = layout.Counts[y * across + x];
+      const int reach = layout.FramesMoving > 0 ? 2 : 0;
+      for (int v = std::max(0, y - reach); v <= std::min(rows - 1, y + reach); ++v)
+      {
+        for (int u = std::max(0, x - reach); u <= std::min(across - 1, x + reach); ++u)
+        {
+          most = std::max(most, layout.Counts[v * across + u]);
+        }
+      }
+      wide[y * across + x] = most + most / 8;
+    }
+  }
+  // What was counted has to fit; what is more than that only if the limit allows it.
+  const bool fits =
+    std::accumulate(wide.begin(), wide.end(), vtkTypeInt64(0)) <= this->UnitsAllowed;
+  return fits ? wide : tight;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCellStorage::ReserveBuffers(
+  vtkTypeInt64 units, vtkTypeInt64 room, const vtkTranslucencyCapabilities& capabilities)
+{
+  const std::vector<Layout> layouts = this->GetLayouts();
+  const bool hasRoom = std::all_of(layouts.begin(), layouts.end(), [&](const Layout& layout) {
+    return layout.Used == Use::Links || this->GetLayoutBytes(layout, this->Tile, units) <= this->Buffers[layout.Binding].GetBytes();
+  });
+  room = hasRoom ? units : room;
+  vtkTypeInt64 kept = std::max(this->Counters.GetBytes(), CounterBytes(this->Tile)) + LayoutBytes;
+  for (const Layout& layout : layouts)
+  {
+    kept += std::max(this->Buffers[layout.Binding].GetBytes(), this->GetLayoutBytes(layout, this->Tile, room));
+  }
+  if (static_cast<double>(kept) > this->GetLimitBytes(capabilities))
+  {
+    this->Counters.Release(); // what earlier, larger tiles left
+    for (auto& buffer : this->Buffers)
+    {
+      buffer.second.Release();
+    }
+  }
+  const auto reserve = [&](const Layout& layout) {
+    vtkTranslucencyBuffer& buffer = this->Buffers[layout.Binding];
+    return layout.Used == Use::Links || buffer.Reserve(this->GetLayoutBytes(layout, this->Tile, room)) ||
+      buffer.Reserve(this->GetLayoutBytes(layout, this->Tile, units));
+  };
+  return this->Counters.Reserve(CounterBytes(this->Tile)) && this->LayoutBlock.Reserve(LayoutBytes) &&
+    std::all_of(layouts.begin(), layouts.end(), reserve);
+}
+
+//------------------------------------------------------------------------------
+bool vtkCellStorage::ReserveLinks()
+{
+  if (this->LinksReserved)
+  {
+    return true;
+  }
+  const vtkTypeInt64 units = std::accumulate(this->Ranges.begin(), this->Ranges.end(), vtkTypeInt64(0));
+  for (const Layout& layout : this->GetLayouts())
+  {
+    if (layout.Used == Use::Links)
+    {
+      vtkTranslucencyBuffer& buffer = this->Buffers[layout.Binding];
+      if (!buffer.Reserve(this->GetLayoutBytes(layout, this->Tile, units)))
+      {
+        return false;
+      }
+      buffer.BindStorage(layout.Binding);
+    }
+  }
+  this->LinksReserved = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCellStorage::HasLinks() const
+{
+  return this->LinksReserved;
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned int> vtkCellStorage::ReadCells() const
+{
+  std::vector<unsigned int> cells(CounterBytes(this->Tile) / WordBytes);
+  this->Counters.Download(cells.data(), CounterBytes(this->Tile));
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::CountUnits(const unsigned int* cell) const
+{
+  return cell[CELL_NEXT] - cell[CELL_FIRST];
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::CountFragments(const unsigned int* cell) const
+{
+  return cell[CELL_NEXT] - cell[CELL_FIRST];
+}
+
+//------------------------------------------------------------------------------
+vtkFragmentStorage::Outcome vtkCellStorage::End()
+{
+  TileLayout& layout = this->Layouts[this->Tile];
+  const std::vector<unsigned int> cells = this->ReadCells();
+  const bool first = layout.Counts.empty();
+  layout.Counts.resize(this->Ranges.size());
+  bool overflow = false;
+  vtkTypeInt64 most = 0;
+  this->Units = 0;
+  this->Fragments = 0;
+  this->FullestCell = 0;
+  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  {
+    const unsigned int* words = &cells[cell * CELL_WORDS];
+    const vtkTypeInt64 fragments = this->CountFragments(words);
+    layout.Counts[cell] = this->CountUnits(words);
+    most = std::max(most, layout.Counts[cell]);
+    this->Units += layout.Counts[cell];
+    this->Fragments += fragments;
+    this->FullestCell = std::max(this->FullestCell, fragments);
+    overflow = overflow || layout.Counts[cell] > this->Ranges[cell];
+  }
+  if (!overflow)
+  {
+    layout.FramesMoving = std::max(0, layout.FramesMoving - 1);
+    this->Learn(cells);
+    return Outcome::Complete;
+  }
+  layout.FramesMoving = first ? 0 : FramesMovingAfterOverflow;
+  return this->Units <= this->UnitsAllowed && most <= MOST_UNITS_OF_CELL ? Outcome::Grown : Outcome::TooLarge;
+}
+
+//------------------------------------------------------------------------------
+int vtkCellStorage::GetPartsNeeded() const
+{
+  double parts = 2;
+  double bytes = static_cast<double>(CounterBytes(this->Tile));
+  for (const Layout& layout : this->GetLayouts())
+  {
+    const auto own = static_cast<double>(this->GetLayoutBytes(layout, this->Tile, this->Units));
+    parts = std::max(parts, std::ceil(own / this->BlockBytes));
+    bytes += own;
+  }
+  parts = std::max(parts, std::ceil(bytes / this->LimitBytes));
+  return static_cast<int>(std::min(parts, static_cast<double>(Pixels(this->Tile))));
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::GetFragments() const
+{
+  return this->Fragments;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::GetUnits() const
+{
+  return this->Units;
+}
+
+//------------------------------------------------------------------------------
+int vtkCellStorage::GetMostExpected() const
+{
+  const vtkTypeInt64 pixels = vtkTypeInt64(1) << (2 * SmallestCellShift(this->Tile));
+  return static_cast<int>(std::min<vtkTypeInt64>(VTK_INT_MAX, DividedUp(this->FullestCell, pixels)));
+}
+
+//------------------------------------------------------------------------------
+vtkStorageAccounting::Accesses vtkCellStorage::GetAccesses() const
+{
+  vtkStorageAccounting::Accesses accesses;
+  const std::vector<unsigned int> cells = this->ReadCells();
+  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  {
+    const unsigned int* words = &cells[cell * CELL_WORDS];
+    accesses.Stores += words[CELL_STORES];
+    accesses.Table += words[CELL_TABLE];
+    accesses.Reads += WideCount(words + CELL_READS);
+    accesses.SecondDepth += WideCount(words + CELL_SECOND_DEPTH);
+    accesses.FrameBuffer += WideCount(words + CELL_FRAME_BUFFER);
+  }
+  return accesses;
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> vtkCellStorage::GetCells() const
+{
+  const int shift = SmallestCellShift(this->Tile);
+  return { { CellsAcross(this->Tile[2], shift), CellsAcross(this->Tile[3], shift) } };
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkCellStorage::GetBytes() const
+{
+  vtkTypeInt64 bytes = this->Counters.GetBytes() + this->LayoutBlock.GetBytes();
+  for (const auto& buffer : this->Buffers)
+  {
+    bytes += buffer.second.GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::ClearTable()
+{
+  this->Buffers[STORAGE_BINDING_TABLE].Clear(Pixels(this->Tile) * WordBytes);
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::ForgetUnits()
+{
+  this->Layouts.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::Release(bool contextAlive)
+{
+  this->Counters.Release(contextAlive);
+  this->LayoutBlock.Release(contextAlive);
+  for (auto& buffer : this->Buffers)
+  {
+    buffer.second.Release(contextAlive);
+  }
+  this->Layouts.clear();
+}

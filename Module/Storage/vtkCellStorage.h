@@ -1,0 +1,147 @@
+/**
+ * @class   vtkCellStorage
+ * @brief   a storage that gives room to cells of pixels
+ *
+ * Units of room, a node or a section, are taken by atomic operations while the geometry is drawn. One counter for all of them is what the gather would
+ * wait for: two threads alone lose more time to it than to everything else. Here each cell of 16 x 16 pixels has a counter (64 bytes) and a
+ * range of units of its own, as large as what the cell held in the last frame and an eighth more. After a frame in which that was not enough (the view
+ * moves), ranges are for a while as large as the fullest of a cell and its neighbours within two cells.
+ *
+ * Where a range is too small, the frame is still counted to its end and then drawn again with ranges that fit.
+ */
+#ifndef vtkCellStorage_h
+#define vtkCellStorage_h
+
+#include "vtkFragmentStorage.h"
+#include "vtkTranslucencyBuffer.h" // for the buffers
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkCellStorage : public vtkFragmentStorage
+{
+public:
+  vtkTypeMacro(vtkCellStorage, vtkFragmentStorage);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How many fragments there is room for in the first frame. 0 (the default) means one a pixel. Later frames have as much room as the ones before
+   * needed. A negative value is an error and changes nothing.
+   */
+  void SetInitialFragments(vtkTypeInt64 fragments);
+  vtkGetMacro(InitialFragments, vtkTypeInt64);
+  ///@}
+
+  std::string GetObstacle(
+    const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
+  Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) override;
+  Outcome End() override;
+  int GetPartsNeeded() const override;
+  vtkTypeInt64 GetFragments() const override;
+  int GetMostExpected() const override;
+  vtkTypeInt64 GetUnits() const override;
+  bool Fits(vtkTypeInt64 units, const Rectangle& viewport,
+    const vtkTranslucencyCapabilities& capabilities) const override;
+  bool ReserveLinks() override;
+  bool HasLinks() const override;
+  vtkStorageAccounting::Accesses GetAccesses() const override;
+  vtkTypeInt64 GetBytes() const override;
+  void Release(bool contextAlive) override;
+
+protected:
+  vtkCellStorage() = default;
+  ~vtkCellStorage() override = default;
+
+  enum class Use
+  {
+    Written,
+    Cleared, // 0 before the geometry is drawn
+    Links    // only there where the order of fragments is changed
+  };
+
+  /// One of the buffers of a storage.
+  struct Layout
+  {
+    unsigned int Binding; // Shaders/Common/Bindings.glsl
+    int PixelWords;       // of 4 bytes, a pixel of the tile
+    int UnitWords;        // a unit
+    Use Used = Use::Written;
+  };
+
+  virtual std::vector<Layout> GetLayouts() const = 0;
+
+  /// Fragments that a unit has room for.
+  virtual int GetUnitFragments() const { return 1; }
+
+  /// Fragments that a pixel has room for before any unit is taken.
+  virtual int GetPixelFragments() const { return 0; }
+
+  /// Units that shaders can tell apart.
+  virtual vtkTypeInt64 GetMostUnits(const Rectangle& tile) const = 0;
+
+  /// Units that were needed and fragments that were stored, of a cell's words (Shaders/Storage/CellLayout.glsl).
+  virtual vtkTypeInt64 CountUnits(const unsigned int* cell) const;
+  virtual vtkTypeInt64 CountFragments(const unsigned int* cell) const;
+
+  /// After a tile was stored: the words of all its cells.
+  virtual void Learn(const std::vector<unsigned int>& vtkNotUsed(cells)) {}
+
+  /// Words of a fragment's colour.
+  int GetColorWords() const;
+
+  /// Cells across and down the current tile.
+  std::array<int, 2> GetCells() const;
+
+  /// Units are others than in the frames before.
+  void ForgetUnits();
+
+  /// Makes all pixels' entries 0.
+  void ClearTable();
+
+private:
+  vtkCellStorage(const vtkCellStorage&) = delete;
+  void operator=(const vtkCellStorage&) = delete;
+
+  struct TileLayout
+  {
+    int CellShift = 0; // a cell is 2^CellShift pixels wide and high
+    int CellsPerRow = 0;
+    int Rows = 0;
+    int FramesMoving = 0;             // how long ranges are still sized after their neighbours, too
+    std::vector<vtkTypeInt64> Counts; // units that each cell took in the last frame; empty before the first
+  };
+
+  std::vector<unsigned int> ReadCells() const;
+  vtkTypeInt64 GetLayoutBytes(const Layout& layout, const Rectangle& tile, vtkTypeInt64 units) const;
+
+  /// The units that fragments take that are spread evenly over pixels.
+  vtkTypeInt64 GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pixels) const;
+
+  /// Under the limit; -1 if not even a tile without any does.
+  vtkTypeInt64 GetUnitsAllowed(
+    const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) const;
+
+  /// Makes the buffers large enough for the tile, and gives back what would pass the limit; false if there is no memory. Where units have to grow they grow
+  /// to room, if there is memory.
+  bool ReserveBuffers(
+    vtkTypeInt64 units, vtkTypeInt64 room, const vtkTranslucencyCapabilities& capabilities);
+
+  /// The units that each cell may take.
+  std::vector<vtkTypeInt64> GetRanges(const TileLayout& layout) const;
+
+  std::map<unsigned int, vtkTranslucencyBuffer> Buffers; // by their binding
+  vtkTranslucencyBuffer Counters;
+  vtkTranslucencyBuffer LayoutBlock;
+
+  vtkTypeInt64 InitialFragments = 0;
+  std::map<Rectangle, TileLayout> Layouts; // of the tiles of the last frames
+  Rectangle Tile{ { 0, 0, 0, 0 } };
+  double LimitBytes = 0;
+  double BlockBytes = 0;
+  vtkTypeInt64 UnitsAllowed = 0;
+  std::vector<vtkTypeInt64> Ranges; // of the current tile
+  vtkTypeInt64 Units = 0;           // that were needed
+  vtkTypeInt64 Fragments = 0;
+  vtkTypeInt64 FullestCell = 0; // fragments
+  bool LinksReserved = false;   // in the current tile
+};
+
+#endif

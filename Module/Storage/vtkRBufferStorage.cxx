@@ -1,0 +1,40 @@
+#include "vtkRBufferStorage.h"
+
+#include "Common/Bindings.glsl"
+#include "Storage/CellLayout.glsl"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkRBufferStorage);
+
+//------------------------------------------------------------------------------
+const char* vtkRBufferStorage::GetShaderName() const
+{
+  return "RBuffer";
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkCellStorage::Layout> vtkRBufferStorage::GetLayouts() const
+{
+  return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared }, { STORAGE_BINDING_FRAGMENTS, 0, 2 + this->GetColorWords() },
+    { STORAGE_BINDING_NEXT, 0, 1 }, { STORAGE_BINDING_LINKS, 2, 0, Use::Cleared } };
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkRBufferStorage::GetMostUnits(const Rectangle&) const
+{
+  return HEAD_MASK - 1; // 0 is none
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRBufferStorage::GetRetrieval() const
+{
+  return "Storage/Retrieve.glsl";
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> vtkRBufferStorage::BeginRetrieval()
+{
+  this->ClearTable(); // which held what was drawn last
+  return this->GetCells();
+}

@@ -1,0 +1,5 @@
+#include "vtkTBufferStorage.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkTBufferStorage);
