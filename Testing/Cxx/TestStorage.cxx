@@ -1,0 +1,504 @@
+// Where fragments lie does not change the picture: every design of storage against linked lists, and what each counts against what
+// the closed forms say.
+#include "RenderTest.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkCellStorage.h>
+#include <vtkFragmentListPass.h>
+#include <vtkMBufferStorage.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkStorageAccounting.h>
+#include <vtkTBufferStorage.h>
+#include <vtkTranslucencyStatistics.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <random>
+
+namespace
+{
+constexpr double MiB = 1024.0 * 1024.0;
+
+struct Storage
+{
+  std::string Name;
+  Settings Options;
+  bool KeepsOrder; // of drawing
+};
+
+void PrintTo(const Storage& value, std::ostream* os)
+{
+  *os << value.Name;
+}
+
+Storage Sections(const std::string& name, const std::string& design, int length)
+{
+  return { name + std::to_string(length), { { "storage", design }, { "section_length", std::to_string(length) } }, true };
+}
+
+const Storage LinkedList{ "LinkedList", { { "storage", "linked-list" } }, true };
+const Storage TBuffer{ "TBuffer", { { "storage", "t-buffer" } }, true };
+const Storage MBuffer{ "MBuffer", { { "storage", "m-buffer" } }, true };
+const Storage RBuffer{ "RBuffer", { { "storage", "r-buffer" } }, false };
+
+vtkSmartPointer<vtkFragmentListPass> New(
+  const Storage& storage, const std::string& technique = "exact", const Settings& more = {})
+{
+  Settings settings = storage.Options;
+  settings.insert(settings.end(), more.begin(), more.end());
+  const auto made = NewTechnique(technique, settings);
+  return vtkFragmentListPass::SafeDownCast(made);
+}
+
+vtkCellStorage* CellStorageOf(vtkFragmentListPass* pass)
+{
+  return vtkCellStorage::SafeDownCast(pass->GetStorage());
+}
+
+// From left to right: tens of layers, hundreds of layers on a small part, and nothing; balls over all, whose triangles cover pixels in part.
+AnalyticScene Mixed()
+{
+  AnalyticScene scene;
+  scene.Width = 240;
+  scene.Height = 160;
+  scene.Background = { { 0.2, 0.4, 0.6 } };
+  scene.Opaque = { { 20, 20, 60, 60, 0.5, { { 1, 1, 1 } }, 1 } };
+  std::mt19937 random(31);
+  const auto below = [&random](int end) { return static_cast<int>(random() % static_cast<unsigned int>(end)); };
+  const auto add = [&](Layer& layer, int left, int bottom, int width, int height, int mostAlpha)
+  {
+    layer.push_back({ left, bottom, left + width, bottom + height, (1 + below(65000)) / 65536.0,
+      { { below(256) / 255.0, below(256) / 255.0, below(256) / 255.0 } }, (1 + below(mostAlpha)) / 255.0 });
+  };
+  Layer deep; // drawn by one actor
+  for (int i = 0; i < 280; ++i)
+  {
+    add(deep, 130, 50, 12, 8, 10);
+  }
+  scene.Translucent = { deep };
+  for (int i = 0; i < 24; ++i)
+  {
+    scene.Translucent.emplace_back();
+    add(scene.Translucent.back(), below(60), below(100), 10 + below(50), 10 + below(50), 200);
+  }
+  return scene;
+}
+
+void Fill(View& view, bool transmitting)
+{
+  const AnalyticScene scene = Mixed();
+  (transmitting ? scene.Transmitting(7) : scene).AddTo(view.Renderer);
+  for (int i = 0; i < 3; ++i)
+  {
+    AddBall(view.Renderer, false, 70 + 13 * i, 60 + 9 * i, 0);
+  }
+}
+
+std::vector<Storage> All()
+{
+  return { LinkedList, Sections("T", "t-buffer", 1), Sections("T", "t-buffer", 2), Sections("T", "t-buffer", 3), TBuffer,
+    Sections("T", "t-buffer", 8), Sections("T", "t-buffer", 64), MBuffer, Sections("M", "m-buffer", 1), Sections("M", "m-buffer", 5),
+    RBuffer };
+}
+
+struct Technique
+{
+  std::string Name;
+  std::string Technique;
+  Settings Options;
+  int AnyOrder; // what drawing from the farthest on changes, at most, in units of 1/255: measured
+};
+
+const std::vector<Technique> Techniques{
+  { "Exact", "exact", {}, 0 },
+  { "Iterative", "exact", { { "resolve", "iterative" } }, 1 },
+  { "Adaptive4", "adaptive", { { "nodes", "4" } }, 255 },
+  { "Adaptive8", "adaptive", { { "nodes", "8" } }, 255 },
+  { "Adaptive16", "adaptive", { { "nodes", "16" } }, 255 },
+  { "Fourier", "fourier", {}, 1 },
+  { "OpacityShadowMap", "shadowmap", {}, 1 },
+};
+
+void PrintTo(const Technique& value, std::ostream* os)
+{
+  *os << value.Name;
+}
+
+void ExpectClosedForms(vtkFragmentListPass* pass)
+{
+  vtkTranslucencyStatistics* statistics = pass->GetStatistics();
+  vtkStorageAccounting::Settings settings;
+  settings.TSectionLength = statistics->GetSectionLength();
+  settings.MSectionLength = statistics->GetSectionLength();
+  const vtkStorageAccounting accounting(settings, { statistics->GetHistogram() });
+  ASSERT_EQ(accounting.GetError(), "");
+  const vtkStorageAccounting::Cost cost = accounting.GetCost(pass->GetStorage()->GetDesign(), 0);
+  EXPECT_GT(cost.Fragments, 0);
+  EXPECT_EQ(cost.Fragments, statistics->GetFragments());
+  EXPECT_EQ(statistics->GetStores(), cost.Count.Stores);
+  EXPECT_EQ(statistics->GetReads(), cost.Count.Reads);
+  EXPECT_EQ(statistics->GetTableAccesses(), cost.Count.Table);
+  EXPECT_EQ(statistics->GetSecondDepthAccesses(), cost.Count.SecondDepth);
+  EXPECT_EQ(statistics->GetFrameBufferAccesses(), cost.Count.FrameBuffer);
+  EXPECT_EQ(statistics->GetAccesses(), cost.Count.GetTotal());
+  EXPECT_DOUBLE_EQ(statistics->GetPackedBytes(), cost.Bytes);
+}
+
+// Frames from little room on: the first has to grow, the second starts with what that needed.
+void ExpectSamePictures(const Storage& storage, const Technique& technique, const Settings& more, int samples, bool transmitting)
+{
+  View view(Mixed(), samples);
+  Fill(view, transmitting);
+  Settings settings = technique.Options;
+  settings.insert(settings.end(), more.begin(), more.end());
+  const auto expecting = New(LinkedList, technique.Technique, settings);
+  view.SetPass(expecting);
+  const Picture expected = view.Render();
+  const auto pass = New(storage, technique.Technique, settings);
+  CellStorageOf(pass)->SetInitialFragments(16);
+  view.SetPass(pass);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    const PictureDifference difference = Compare(view.Render(), expected);
+    EXPECT_LE(difference.Largest, storage.KeepsOrder ? 0 : technique.AnyOrder) << difference;
+    testing::Test::RecordProperty("largest", std::to_string(difference.Largest));
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+    if (pass->GetStorageDesign() != vtkFragmentListPass::MBuffer) // which has room for every pixel, and other sections next time
+    {
+      EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses() > 1, frame == 0);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+class TestStorage
+  : public RenderTest
+  , public testing::WithParamInterface<std::tuple<Storage, int>>
+{
+};
+
+TEST_P(TestStorage, DrawsAsLinkedListsDo)
+{
+  const auto& [storage, samples] = GetParam();
+  ExpectSamePictures(storage, Techniques[0], {}, samples, false);
+}
+
+TEST_P(TestStorage, DrawsAsLinkedListsDoInBytes)
+{
+  const auto& [storage, samples] = GetParam();
+  ExpectSamePictures(storage, Techniques[0], { { "color_format", "rgba8" } }, samples, false);
+}
+
+TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
+{
+  const auto& [storage, samples] = GetParam();
+  ExpectSamePictures(storage, Techniques[0], {}, samples, true);
+  ExpectSamePictures(storage, Techniques[0], { { "color_format", "rgba8" } }, samples, true);
+}
+
+// What shaders count, and what the closed forms expect from nothing but the histogram.
+TEST_P(TestStorage, CountsWhatTheClosedFormsSay)
+{
+  const auto& [storage, samples] = GetParam();
+  View view(Mixed(), samples);
+  Fill(view, false);
+  const auto pass = New(storage);
+  view.SetPass(pass);
+  const Picture expected = view.Render();
+  vtkTranslucencyStatistics* statistics = pass->GetStatistics();
+  EXPECT_EQ(statistics->GetAccesses(), -1);
+  EXPECT_EQ(statistics->GetPackedBytes(), -1);
+  EXPECT_EQ(statistics->GetPixelsHolding(1), -1);
+  pass->CountAccessesOn();
+  for (double limit : { 0.0, 1.5 }) // in one tile, and in several
+  {
+    SCOPED_TRACE(limit);
+    pass->GetStorage()->SetMemoryLimit(limit);
+    EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+    EXPECT_EQ(statistics->GetFallback(), "");
+    EXPECT_EQ(statistics->GetTiles() > 1, limit > 0);
+    ExpectClosedForms(pass);
+    const auto deepest = statistics->GetHistogram().Pixels.rbegin();
+    EXPECT_EQ(statistics->GetPixelsHolding(deepest->first), deepest->second);
+    EXPECT_GT(deepest->first, 256) << "sorted where they lie";
+    EXPECT_EQ(statistics->GetDeepestPixel(), deepest->first);
+  }
+}
+
+TEST_P(TestStorage, KeepsTheLimit)
+{
+  const auto& [storage, samples] = GetParam();
+  View view(Mixed(), samples);
+  Fill(view, false);
+  const auto pass = New(storage);
+  view.SetPass(pass);
+  const Picture expected = view.Render();
+  const vtkTypeInt64 fragments = pass->GetStatistics()->GetFragments();
+  for (double limit : { 0.2, 1.0, 3.0 })
+  {
+    SCOPED_TRACE(limit);
+    pass->GetStorage()->SetMemoryLimit(limit);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+      EXPECT_GT(pass->GetStatistics()->GetTiles(), 1);
+      EXPECT_EQ(pass->GetStatistics()->GetFragments(), fragments);
+      EXPECT_LE(pass->GetStorage()->GetBytes(), limit * MiB);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, TestStorage, testing::Combine(testing::ValuesIn(All()), testing::Values(1, 4)),
+  [](const auto& info)
+  { return std::get<0>(info.param).Name + "Samples" + std::to_string(std::get<1>(info.param)); });
+
+//------------------------------------------------------------------------------
+class TestStorageOfTechniques
+  : public RenderTest
+  , public testing::WithParamInterface<std::tuple<Storage, Technique, int>>
+{
+};
+
+TEST_P(TestStorageOfTechniques, DrawsAsLinkedListsDo)
+{
+  const auto& [storage, technique, samples] = GetParam();
+  ExpectSamePictures(storage, technique, {}, samples, false);
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, TestStorageOfTechniques,
+  testing::Combine(testing::Values(TBuffer, MBuffer, RBuffer),
+    testing::ValuesIn(std::vector<Technique>(Techniques.begin() + 1, Techniques.end())), testing::Values(1, 4)),
+  [](const auto& info)
+  {
+    return std::get<0>(info.param).Name + std::get<1>(info.param).Name + "Samples" + std::to_string(std::get<2>(info.param));
+  });
+
+//------------------------------------------------------------------------------
+using TestStorageOfPoints = RenderTest;
+
+namespace
+{
+// Points as large as a pixel, in the order of their indices.
+vtkSmartPointer<vtkActor> NewPoints(int count, const std::function<std::array<double, 2>(int)>& pixelOf, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> depth(0.01, 0.99);
+  std::uniform_int_distribution<int> byte(0, 255);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto pixel = pixelOf(static_cast<int>(i));
+    points->InsertNextPoint(pixel[0] + 0.5, pixel[1] + 0.5, 1 - 2 * depth(random));
+    vertices->InsertNextCell(1, &i);
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      colors->InsertNextValue(static_cast<unsigned char>(channel < 3 ? byte(random) : 1 + byte(random) / 20));
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  data->GetPointData()->SetScalars(colors);
+  auto actor = NewUnlitActor(data, { { 1, 1, 1 } }, 0.5);
+  actor->GetProperty()->SetPointSize(1);
+  return actor;
+}
+
+void ExpectTheSameFrom(const std::vector<Storage>& storages, int width, int height, int count,
+  const std::function<std::array<double, 2>(int)>& pixelOf, vtkTypeInt64 deepest)
+{
+  AnalyticScene empty;
+  empty.Width = width;
+  empty.Height = height;
+  View view(empty);
+  view.Renderer->AddActor(NewPoints(count, pixelOf, 41));
+  Picture expected;
+  for (const Storage& storage : storages)
+  {
+    SCOPED_TRACE(storage.Name);
+    const auto pass = New(storage);
+    pass->CountAccessesOn();
+    view.SetPass(pass);
+    const Picture drawn = view.Render();
+    vtkTranslucencyStatistics* statistics = pass->GetStatistics();
+    EXPECT_EQ(statistics->GetFragments(), count);
+    EXPECT_EQ(statistics->GetDeepestPixel(), statistics->GetHistogram().Pixels.rbegin()->first);
+    if (deepest > 0)
+    {
+      EXPECT_EQ(statistics->GetDeepestPixel(), deepest);
+    }
+    ExpectClosedForms(pass);
+    if (expected.Rgb.empty())
+    {
+      expected = drawn;
+    }
+    EXPECT_EQ(Compare(drawn, expected).Largest, 0);
+  }
+}
+}
+
+TEST_F(TestStorageOfPoints, AMillionOver4096Pixels)
+{
+  std::mt19937 random(42);
+  std::uniform_int_distribution<int> pixel(0, 63);
+  std::vector<std::array<double, 2>> pixels(1000000);
+  for (auto& at : pixels)
+  {
+    at = { { static_cast<double>(pixel(random)), static_cast<double>(pixel(random)) } };
+  }
+  ExpectTheSameFrom({ LinkedList, TBuffer, Sections("T", "t-buffer", 1), Sections("T", "t-buffer", 64), MBuffer, RBuffer }, 64, 64,
+    1000000, [&](int i) { return pixels[i]; }, 0);
+}
+
+TEST_F(TestStorageOfPoints, OnePixelOf100000)
+{
+  const auto one = [](int) { return std::array<double, 2>{ { 20, 10 } }; };
+  ExpectTheSameFrom({ LinkedList, TBuffer, MBuffer }, 40, 30, 100000, one, 100000);
+}
+
+// As many passes as fragments.
+TEST_F(TestStorageOfPoints, OnePixelOf3000InTheRBuffer)
+{
+  const auto one = [](int) { return std::array<double, 2>{ { 20, 10 } }; };
+  ExpectTheSameFrom({ LinkedList, RBuffer }, 40, 30, 3000, one, 3000);
+}
+
+//------------------------------------------------------------------------------
+using TestStorageProperties = RenderTest;
+
+TEST_F(TestStorageProperties, MBuffersSectionsFollowTheScene)
+{
+  View view(RandomMosaic(150, 100, 51, 13, 0.05, 0.5));
+  const auto pass = New(MBuffer);
+  auto* storage = vtkMBufferStorage::SafeDownCast(pass->GetStorage());
+  view.SetPass(pass);
+  const Picture first = view.Render();
+  EXPECT_NE(storage->GetSectionLength(), 13);
+  EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
+  EXPECT_EQ(storage->GetSectionLength(), 13);
+  EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
+  EXPECT_EQ(pass->GetStatistics()->GetShaderBuilds(), 0) << "the length stays, so do the shaders";
+
+  pass->SetSectionLength(3);
+  EXPECT_FALSE(storage->GetAutomaticSectionLength());
+  EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
+  EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
+  EXPECT_EQ(storage->GetSectionLength(), 3);
+  storage->AutomaticSectionLengthOn();
+  view.Render();
+  EXPECT_EQ(storage->GetSectionLength(), 13);
+}
+
+// What the T-buffer is for.
+TEST_F(TestStorageProperties, EmptyPixelsCostTheTBufferTheirEntry)
+{
+  const auto bytesOf = [](const Storage& storage, int width)
+  {
+    AnalyticScene scene;
+    scene.Width = width;
+    scene.Height = 256;
+    scene.Translucent = { { { 0, 0, 64, 64, 0.5, { { 1, 0, 0 } }, 0.5 } } };
+    View view(scene);
+    const auto pass = New(storage);
+    CellStorageOf(pass)->SetInitialFragments(16);
+    view.SetPass(pass);
+    view.Render();
+    return static_cast<double>(pass->GetStorage()->GetBytes());
+  };
+  const double pixels = 256 * 256;
+  const double counters = 64.0 / 256;
+  EXPECT_DOUBLE_EQ(bytesOf(TBuffer, 512) - bytesOf(TBuffer, 256), pixels * (4 + counters));
+  EXPECT_GE(bytesOf(MBuffer, 512) - bytesOf(MBuffer, 256), pixels * (4 + counters + 12));
+}
+
+TEST_F(TestStorageProperties, AnotherDesignKeepsTheOthersSettings)
+{
+  vtkNew<vtkABufferPass> pass;
+  pass->GetStorage()->SetMemoryLimit(12);
+  pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8);
+  pass->SetSectionLength(7); // before there are sections
+  pass->SetStorageDesign(vtkFragmentListPass::TBuffer);
+  EXPECT_EQ(pass->GetStorageDesign(), vtkFragmentListPass::TBuffer);
+  EXPECT_EQ(pass->GetStorage()->GetMemoryLimit(), 12);
+  EXPECT_EQ(pass->GetStorage()->GetColorFormat(), vtkFragmentStorage::RGBA8);
+  EXPECT_EQ(vtkTBufferStorage::SafeDownCast(pass->GetStorage())->GetSectionLength(), 7);
+}
+
+TEST_F(TestStorageProperties, ASectionLengthWithoutSectionsIsToldOnce)
+{
+  const AnalyticScene scene = RandomLayers(40, 30, 52, 3, 0.1, 0.5);
+  View view(scene);
+  vtkNew<vtkABufferPass> pass;
+  pass->SetSectionLength(7);
+  view.SetPass(pass);
+  view.Render();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("SectionLength is 7, but linked-list has no sections"), std::string::npos) << messages[0];
+  view.Render();
+  EXPECT_TRUE(TakeMessages().empty());
+}
+
+TEST_F(TestStorageProperties, BadValuesAreErrorsAndChangeNothing)
+{
+  const auto expect = [](const std::string& text)
+  {
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u) << text;
+    EXPECT_NE(messages[0].find(text), std::string::npos) << messages[0];
+  };
+  vtkNew<vtkABufferPass> pass;
+  pass->SetStorageDesign(vtkFragmentListPass::MBuffer);
+  pass->SetSectionLength(5);
+  for (int length : { 0, 65, 10000, -1 })
+  {
+    pass->SetSectionLength(length);
+    expect("SectionLength is " + std::to_string(length) + ", expected 1 to 64");
+    vtkSectionStorage::SafeDownCast(pass->GetStorage())->SetSectionLength(length);
+    expect("SectionLength is " + std::to_string(length) + ", expected 1 to 64");
+  }
+  EXPECT_EQ(pass->GetSectionLength(), 5);
+  EXPECT_EQ(pass->GetStorage()->GetSectionFragments(), 5);
+  pass->SetStorageDesign(4);
+  expect("StorageDesign is 4, expected");
+  pass->SetStorageDesign(-1);
+  expect("StorageDesign is -1, expected");
+  EXPECT_EQ(pass->GetStorageDesign(), vtkFragmentListPass::MBuffer);
+  CellStorageOf(pass)->SetInitialFragments(-1);
+  expect("InitialFragments is -1, expected");
+  EXPECT_EQ(CellStorageOf(pass)->GetInitialFragments(), 0);
+  vtkNew<vtkMBufferStorage> automatic;
+  automatic->SetSectionLength(0);
+  expect("SectionLength is 0");
+  EXPECT_TRUE(automatic->GetAutomaticSectionLength());
+}
+
+// Tables of pixels take memory before there is any fragment.
+TEST_F(TestStorageProperties, ALimitTooSmallForTheTablesIsAnErrorAndFallsBack)
+{
+  for (const Storage& storage : { TBuffer, MBuffer, RBuffer })
+  {
+    SCOPED_TRACE(storage.Name);
+    const AnalyticScene scene = RandomLayers(400, 300, 13, 10, 0.02, 0.5);
+    View view(scene);
+    const auto pass = New(storage);
+    pass->GetStorage()->SetMemoryLimit(0.002);
+    view.SetPass(pass);
+    view.Render();
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find("MemoryLimit is 0.002 MiB, expected at least"), std::string::npos) << messages[0];
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
+  }
+}
