@@ -7,7 +7,8 @@
 #define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel; counts of records; a technique's table
 #define STORAGE_BINDING_FRAGMENTS 3  // fragment storage: the fragments; records of pixels
 #define STORAGE_BINDING_SAMPLES 4    // see SampleColors.glsl
-#define STORAGE_BINDINGS 5
+#define STORAGE_BINDING_TRACE 5      // see Trace/Resolve.glsl
+#define STORAGE_BINDINGS 6
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
 #define LEVEL_SAMPLES 31  // pixels whose samples differ and wait in SampleColors.glsl
