@@ -19,7 +19,6 @@ namespace
 using Fragment = vtkStorageSimulator::Fragment;
 
 constexpr std::size_t TraceWords = 6; // see Shaders/Trace/Resolve.glsl
-constexpr vtkTypeInt64 MostInRoom = VTK_INT_MAX; // a uniform's
 
 Fragment ToFragment(const unsigned int* words)
 {
@@ -71,35 +70,29 @@ bool vtkFragmentTracePass::CopyLists(vtkTranslucencyFrame& frame)
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(frame.GetRenderer()->GetRenderWindow());
   const vtkTypeInt64 most = this->GetCapabilities(window).MaximumBlockBytes;
-  vtkTypeInt64 room = std::max<vtkTypeInt64>(1, this->Storage->GetFragments());
-  for (;;)
+  const vtkTypeInt64 fragments = this->Storage->GetFragments();
+  const vtkTypeInt64 bytes = (1 + fragments * static_cast<vtkTypeInt64>(TraceWords)) * static_cast<vtkTypeInt64>(sizeof(unsigned int));
+  if (fragments > VTK_INT_MAX || bytes > most || !this->Copy.Reserve(bytes))
   {
-    const vtkTypeInt64 bytes = (1 + room * static_cast<vtkTypeInt64>(TraceWords)) * static_cast<vtkTypeInt64>(sizeof(unsigned int));
-    if (room > MostInRoom || bytes > most || !this->Copy.Reserve(bytes))
-    {
-      return frame.Fail("the driver has no memory for a trace of " + std::to_string(room) + " fragments, expected at most " +
-        std::to_string(most / static_cast<vtkTypeInt64>(TraceWords * sizeof(unsigned int))) + " a tile");
-    }
-    this->Copy.Clear(sizeof(unsigned int));
-    this->Copy.BindStorage(STORAGE_BINDING_TRACE);
-    if (!frame.Resolve("Trace/Resolve.glsl", {}, {}, { { "traceRoom", static_cast<int>(room) } }))
-    {
-      return false;
-    }
-    unsigned int count = 0;
-    this->Copy.Download(&count, sizeof(count));
-    if (count <= room)
-    {
-      std::vector<unsigned int> words(1 + count * TraceWords);
-      this->Copy.Download(words.data(), static_cast<vtkTypeInt64>(words.size() * sizeof(unsigned int)));
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        this->Fragments.push_back(ToFragment(words.data() + 1 + i * TraceWords));
-      }
-      return true;
-    }
-    room = count;
+    return frame.Fail("the driver has no memory for a trace of " + std::to_string(fragments) + " fragments of a tile; a memory limit makes tiles smaller");
   }
+  this->Copy.Clear(sizeof(unsigned int));
+  this->Copy.BindStorage(STORAGE_BINDING_TRACE);
+  if (!frame.Resolve("Trace/Resolve.glsl", {}, {}, { { "traceRoom", static_cast<int>(fragments) } }))
+  {
+    return false;
+  }
+  std::vector<unsigned int> words(static_cast<std::size_t>(bytes) / sizeof(unsigned int));
+  this->Copy.Download(words.data(), bytes);
+  if (words[0] != fragments)
+  {
+    return frame.Fail("the lists have " + std::to_string(words[0]) + " fragments, expected the " + std::to_string(fragments) + " that were stored");
+  }
+  for (std::size_t word = 1; word < words.size(); word += TraceWords)
+  {
+    this->Fragments.push_back(ToFragment(words.data() + word));
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
