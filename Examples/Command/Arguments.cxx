@@ -218,7 +218,8 @@ void AddStorage(CLI::App& app, Written& written, Arguments& arguments)
     "  translucency storage quake4.json -o quake4          the figures of the T-buffer's paper\n"
     "  translucency storage quake4.json --section-length 3\n"
     "  translucency storage --scene frog.json --size 640x480\n"
-    "  translucency trace --scene frog.json -o frog.trace, then translucency storage frog.trace\n"
+    "  translucency trace --scene frog.json -o frog.trace\n"
+    "  translucency storage frog.trace --m-section-length 4 --address-bits 24 -o frog\n"
     "'translucency schema histogram' says what a histogram holds, 'translucency trace --help' what a trace does.");
 }
 
