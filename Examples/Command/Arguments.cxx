@@ -4,9 +4,12 @@
 #include "Failure.h"
 #include "Picture.h"
 #include "Techniques.h"
+#include "Trace.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <regex>
@@ -65,63 +68,64 @@ std::array<int, 2> ToSize(const std::string& text)
   return { { std::stoi(text.substr(0, cross)), std::stoi(text.substr(cross + 1)) } };
 }
 
-void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments)
+const std::string Look = "Look of the INPUTs";
+const std::string Looking = "View";
+
+void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, const std::string& alone = "")
 {
   command->add_option("INPUT", written.Sources,
-    "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)");
+    alone + "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)");
   command->add_option(
     "--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds");
   command->add_option("--title", written.Title, "what reports call the scene");
 
-  const std::string look = "Look of the INPUTs";
-  command->add_option("--color", written.Color, "colour of all: #rrggbb or a name")->group(look);
+  command->add_option("--color", written.Color, "colour of all: #rrggbb or a name")->group(Look);
   command->add_option("--opacity", written.Opacity, "opacity of all, 0 to 1")
     ->check(NumberIn(0, 1, "0..1"))
-    ->group(look);
+    ->group(Look);
   command->add_option("--transmission", written.Transmission,
     "what surfaces let through of what lies behind them, besides what their opacity leaves free: a colour; red is a red filter, black "
     "(the default) none")
-    ->group(look);
+    ->group(Look);
   command
     ->add_option("--volume", written.Volume,
       "what volumes are: labels (one surface for each integer value), isosurfaces, or automatic")
     ->check(CLI::IsMember({ "automatic", "labels", "isosurfaces" }))
-    ->group(look);
+    ->group(Look);
   command->add_option("--isovalues", written.Isovalues, "values of the isosurfaces: A,B,...")
     ->delimiter(',')
-    ->group(look);
+    ->group(Look);
   command
     ->add_option("--levels", written.Levels, "how many isosurfaces, where --isovalues does not say")
     ->check(NumberIn(1, 32, "1..32"))
     ->capture_default_str()
-    ->group(look);
+    ->group(Look);
   command
     ->add_option("--smooth", written.Smoothing, "iterations that smooth the surfaces of labels")
     ->check(NumberIn(0, 200, "0..200"))
     ->capture_default_str()
-    ->group(look);
+    ->group(Look);
 
-  const std::string view = "View";
   command->add_option("--size", written.SizeText, "size of the picture, 1280x720 by default")
     ->check(SizeText())
-    ->group(view);
+    ->group(Looking);
   command
     ->add_option("--samples", arguments.Samples,
       "samples a pixel, at least (multi-sampling): 1, 2, 4 or 8, as the driver has them")
     ->check(CLI::IsMember({ 1, 2, 4, 8 }))
     ->capture_default_str()
-    ->group(view);
+    ->group(Looking);
   command->add_option("--background", written.Background, "background: #rrggbb or a name")
-    ->group(view);
+    ->group(Looking);
   command->add_option("--azimuth", written.Azimuth, "degrees to go round the scene")
     ->check(NumberIn(-Infinity, Infinity, "degrees"))
-    ->group(view);
+    ->group(Looking);
   command->add_option("--elevation", written.Elevation, "degrees to go up")
     ->check(NumberIn(-89, 89, "-89..89"))
-    ->group(view);
+    ->group(Looking);
   command->add_option("--zoom", written.Zoom, "2 is twice as large")
     ->check(NumberIn(0.001, 1000, "0.001..1000"))
-    ->group(view);
+    ->group(Looking);
 }
 
 // A flag for each option of each technique.
@@ -191,6 +195,34 @@ CLI::Option* AddTechniques(CLI::App* command, Arguments& arguments)
     ->delimiter(',');
 }
 
+void AddStorage(CLI::App& app, Written& written, Arguments& arguments)
+{
+  auto* storage = app.add_subcommand("storage", "what designs of fragment storage take for frames: bytes and accesses");
+  AddSceneOptions(storage, written, arguments, "a histogram (.json), a trace (.csv .trace), or a scene: ");
+  const std::string designs = "Designs";
+  const auto add = [storage, &designs](const char* flag, int& value, int most, const std::string& help)
+  { return storage->add_option(flag, value, help)->check(NumberIn(1, most, "1.." + std::to_string(most)))->group(designs); };
+  vtkStorageAccounting::Settings& settings = arguments.Storage;
+  add("--section-length", settings.TSectionLength, 64, "fragments in a section of the T-buffer")->capture_default_str();
+  add("--m-section-length", settings.MSectionLength, 64, "fragments in a section of the M-buffer; by default the mean of the frame's pixels that hold any");
+  add("--address-bits", settings.Bits.Address, 64, "bits of an address; by default as few as the fullest frame needs");
+  add("--coordinate-bits", settings.Bits.Coordinate, 64, "bits of x, and of y, of a fragment in the R-buffer")->capture_default_str();
+  add("--depth-bits", settings.Bits.Depth, 64, "bits of a depth")->capture_default_str();
+  add("--color-bits", settings.Bits.Color, 64, "bits of a colour with its opacity")->capture_default_str();
+  storage->add_option("-o,--output", arguments.Output, "a folder for table.txt, storage.json, bytes.png and accesses.png");
+  storage->footer(
+    "Four designs are compared: a linked list a pixel; the T-buffer, lists of sections; the R-buffer, a FIFO that is read pass by pass; the M-buffer, a\n"
+    "section a pixel and more where it overflows. Traces and scenes also go through a simulator of each, which has to come to the same numbers.\n"
+    "The R-buffer's takes long where pixels are deep: its time grows with the square of a pixel's fragments.\n"
+    "Examples:\n"
+    "  translucency storage quake4.json -o quake4          the figures of the T-buffer's paper\n"
+    "  translucency storage quake4.json --section-length 3\n"
+    "  translucency storage --scene frog.json --size 640x480\n"
+    "  translucency trace --scene frog.json -o frog.trace\n"
+    "  translucency storage frog.trace --m-section-length 4 --address-bits 24 -o frog\n"
+    "'translucency schema histogram' says what a histogram holds, 'translucency trace --help' what a trace does.");
+}
+
 void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 {
   arguments.Frames = BenchmarkSettings();
@@ -250,7 +282,23 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
     "  translucency run --technique exact -- ./viewer scan.vtp\n"
     "  xvfb-run translucency run --technique adaptive --nodes 8 -- python3 script.py   (without a display)");
 
-  app.add_subcommand("schema", "print the JSON schema of scene files");
+  AddStorage(app, written, arguments);
+
+  auto* trace = app.add_subcommand("trace", "write the translucent fragments of a scene, one by one");
+  AddSceneOptions(trace, written, arguments);
+  trace->add_option("-o,--output", arguments.Output, "the trace: .csv (text) or .trace (24 bytes a fragment)")->required();
+  trace->footer(
+    "A .csv begins with the lines '# size WIDTHxHEIGHT' and 'frame,x,y,z,r,g,b,a': a line a fragment; x and y are pixels from the lower\n"
+    "left corner, z is the window depth, 0 to 1. Fragments come pixel by pixel, those of a pixel in the order of drawing.\n"
+    "'translucency storage' reads both.\n"
+    "Examples:\n"
+    "  translucency trace --scene frog.json --size 640x480 -o frog.csv\n"
+    "  translucency trace skin.stl bones.stl --opacity 0.3 -o body.trace");
+
+  auto* schema = app.add_subcommand("schema", "print the JSON schema of scene files, or of histograms");
+  schema->add_option("KIND", arguments.Schema, "scene, or histogram: what 'translucency storage' reads")
+    ->check(CLI::IsMember({ "scene", "histogram" }))
+    ->capture_default_str();
 }
 
 Input ToInput(const std::string& source, const Written& written)
@@ -278,13 +326,46 @@ Input ToInput(const std::string& source, const Written& written)
   return input;
 }
 
+// A histogram or a trace, which stands alone; false if it is a scene.
+bool PutMeasured(const CLI::App& command, const Written& written, Arguments& arguments)
+{
+  const auto measured = std::find_if(written.Sources.begin(), written.Sources.end(),
+    [](const std::string& source) { return IsTrace(source) || std::filesystem::path(source).extension() == ".json"; });
+  if (measured == written.Sources.end())
+  {
+    return false;
+  }
+  const std::string alone = "'" + *measured + "' is a histogram or a trace, expected ";
+  if (written.Sources.size() > 1)
+  {
+    throw Failure(alone + "no other INPUT, but there are " + std::to_string(written.Sources.size()));
+  }
+  for (const CLI::Option* option : command.get_options())
+  {
+    const bool scenes = option->get_group() == Look || option->get_group() == Looking || option->get_name() == "--scene";
+    if (scenes && option->count() > 0)
+    {
+      throw Failure(alone + "no option of scenes, but there is " + option->get_name());
+    }
+  }
+  arguments.Measured = *measured;
+  arguments.Title = command.count("--title") > 0 ? std::optional<std::string>(written.Title) : std::nullopt;
+  arguments.NeedsDisplay = !arguments.Output.empty();
+  return true;
+}
+
 void PutTogether(const CLI::App& command, const Written& written, Arguments& arguments)
 {
   const std::map<std::string, Action> actions{ { "list", Action::List },
     { "render", Action::Render }, { "compare", Action::Compare }, { "bench", Action::Bench },
-    { "run", Action::Run }, { "schema", Action::Schema } };
+    { "run", Action::Run }, { "schema", Action::Schema }, { "storage", Action::Storage }, { "trace", Action::Trace } };
   arguments.Do = actions.at(command.get_name());
   if (arguments.Do == Action::List || arguments.Do == Action::Schema || arguments.Do == Action::Run)
+  {
+    arguments.NeedsDisplay = arguments.Do == Action::List;
+    return;
+  }
+  if (arguments.Do == Action::Storage && PutMeasured(command, written, arguments))
   {
     return;
   }
@@ -331,6 +412,7 @@ std::optional<Arguments> ParseArguments(int argc, char** argv)
              "  translucency list\n"
              "  translucency render FILE -o picture.png\n"
              "  translucency compare FILE -o folder      and open folder/index.html\n"
+             "  translucency storage FILE                what designs of fragment storage take for its fragments\n"
              "  translucency run -- PROGRAM              a program of yours, by another technique\n"
              "'translucency COMMAND --help' says more of each command.");
   DeclareCommands(app, written, arguments);

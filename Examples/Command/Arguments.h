@@ -7,6 +7,8 @@
 #include "Benchmark.h"
 #include "Inputs.h"
 
+#include "vtkStorageAccounting.h"
+
 #include <array>
 #include <map>
 #include <optional>
@@ -21,6 +23,8 @@ enum class Action
   Bench,
   Run,
   Schema,
+  Storage,
+  Trace,
 };
 
 struct Arguments
@@ -47,7 +51,15 @@ struct Arguments
 
   std::vector<std::string> Program; ///< run: with its arguments
 
-  std::string Output; ///< a picture, a folder or a JSON file; empty for none
+  // storage
+  std::string Measured; ///< a histogram or a trace, if it is not a scene
+  vtkStorageAccounting::Settings Storage;
+
+  std::string Schema = "scene"; ///< schema: of which files
+
+  std::string Output; ///< a picture, a trace, a folder or a JSON file; empty for none
+
+  bool NeedsDisplay = true;
 };
 
 /// Reads the command line. Empty after --help and --version, which have then been answered; throws Failure.

@@ -3,13 +3,17 @@
 #include "Arguments.h"
 #include "Embedded.h"
 #include "Failure.h"
+#include "HistogramFile.h"
 #include "OutputFiles.h"
 #include "Page.h"
 #include "Program.h"
+#include "Progress.h"
 #include "Report.h"
 #include "SceneFile.h"
 #include "Stage.h"
+#include "StorageReport.h"
 #include "TechniqueList.h"
+#include "Trace.h"
 
 #include <algorithm>
 #include <cctype>
@@ -280,6 +284,93 @@ void RunBench(const Arguments& arguments)
   }
   std::cout << ToText(report);
 }
+
+// The fragments of a scene, as the one frame of a trace.
+Trace TraceScene(const Task& task, Stage& stage)
+{
+  Progress progress("tracing", 2);
+  const int number = stage.AddTrace(task.Setting);
+  progress.Step("drawing " + task.Title);
+  stage.Draw(number);
+  progress.Step("reading back");
+  Trace trace{ task.Setting.Size, { { 0, stage.GetFragments(number) } } };
+  if (trace.Frames.front().Fragments.empty())
+  {
+    throw Failure(task.Title + ": has no translucent fragments, expected at least one");
+  }
+  return trace;
+}
+
+void RunTrace(const Arguments& arguments)
+{
+  CheckTraceSuffix(arguments.Output);
+  Task task = MakeTask(arguments);
+  Stage stage(task.Setting.Size, task.Setting.Samples);
+  ReadParts(task);
+  OutputFiles files;
+  const fs::path file = files.Add(arguments.Output);
+  const Trace trace = TraceScene(task, stage);
+  WriteTrace(trace, file, arguments.Output);
+  files.Commit();
+  std::cout << Grouped(static_cast<long long>(trace.Frames.front().Fragments.size())) << " fragments\n";
+}
+
+StorageReport AccountScene(const Arguments& arguments)
+{
+  Task task = MakeTask(arguments);
+  Stage stage(task.Setting.Size, task.Setting.Samples);
+  ReadParts(task);
+  StorageReport report = AccountStorage(task.Title, { "the frame" }, TraceScene(task, stage), arguments.Storage);
+  report.Title = task.Title;
+  for (const Input& input : task.Inputs)
+  {
+    report.Inputs.push_back(input.Source);
+  }
+  return report;
+}
+
+StorageReport AccountMeasured(const Arguments& arguments)
+{
+  const std::string& file = arguments.Measured;
+  StorageReport report;
+  if (IsTrace(file))
+  {
+    const Trace trace = ReadTrace(file);
+    std::vector<std::string> names;
+    for (const TraceFrame& frame : trace.Frames)
+    {
+      names.push_back("Frame" + std::to_string(frame.Number));
+    }
+    report = AccountStorage(file, names, trace, arguments.Storage);
+  }
+  else
+  {
+    const HistogramFile histogram = ReadHistogramFile(file);
+    report = AccountStorage(file, histogram.Names, histogram.Frames, arguments.Storage);
+    report.Title = histogram.Title;
+  }
+  report.Title = arguments.Title.value_or(report.Title.empty() ? fs::path(file).filename().string() : report.Title);
+  report.Inputs = { file };
+  return report;
+}
+
+void RunStorage(const Arguments& arguments)
+{
+  const StorageReport report = arguments.Measured.empty() ? AccountScene(arguments) : AccountMeasured(arguments);
+  const std::string table = ToText(report);
+  const fs::path folder = arguments.Output;
+  if (!folder.empty())
+  {
+    OutputFiles files;
+    files.AddFolder(folder);
+    DrawChart(report, StorageChart::Bytes, files.Add(folder / "bytes.png"), (folder / "bytes.png").string());
+    DrawChart(report, StorageChart::Accesses, files.Add(folder / "accesses.png"), (folder / "accesses.png").string());
+    files.AddText(folder / "table.txt", table);
+    files.AddText(folder / "storage.json", ToJson(report).dump(2) + "\n");
+    files.Commit();
+  }
+  std::cout << table;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -303,7 +394,13 @@ void RunCommand(const Arguments& arguments)
       RunProgram(ChooseTechniqueOf(arguments), arguments.Program);
       break;
     case Action::Schema:
-      std::cout << Embedded::SceneSchema;
+      std::cout << (arguments.Schema == "histogram" ? Embedded::HistogramSchema : Embedded::SceneSchema);
+      break;
+    case Action::Storage:
+      RunStorage(arguments);
+      break;
+    case Action::Trace:
+      RunTrace(arguments);
       break;
   }
 }

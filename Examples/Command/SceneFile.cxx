@@ -1,130 +1,13 @@
 #include "SceneFile.h"
 
 #include "Embedded.h"
-#include "Failure.h"
-
-#include <nlohmann/json.hpp>
-
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
+#include "JsonFile.h"
 
 #include <filesystem>
-#include <fstream>
-#include <regex>
 
 namespace
 {
 using Json = nlohmann::json;
-
-Json Parse(const std::string& file)
-{
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file))
-  {
-    throw Failure(file + ": can't be read, expected a scene file");
-  }
-  try
-  {
-    return Json::parse(in);
-  }
-  catch (const Json::parse_error& error)
-  {
-    // "[json.exception.parse_error.101] parse error at line 3, column 5: ..."
-    static const std::regex decoration("^\\[[^\\]]*\\] ");
-    throw Failure(
-      file + ": is not JSON: " + Quotable(std::regex_replace(error.what(), decoration, "")));
-  }
-}
-
-// The place "<root>[actors][0]" as a JSON pointer.
-Json::json_pointer PointerTo(const std::vector<std::string>& place)
-{
-  Json::json_pointer pointer;
-  for (std::size_t i = 1; i < place.size(); ++i)
-  {
-    pointer /= place[i].substr(1, place[i].size() - 2);
-  }
-  return pointer;
-}
-
-std::string Shortened(const std::string& text)
-{
-  const std::size_t most = 60;
-  return text.size() <= most ? text : text.substr(0, most) + "...";
-}
-
-// What is wrong with an object's keys; empty if nothing is.
-std::string WrongKey(const Json& rule, const Json& object)
-{
-  if (!object.is_object() || !rule.contains("properties"))
-  {
-    return "";
-  }
-  for (const auto& item : object.items())
-  {
-    if (!rule.at("properties").contains(item.key()))
-    {
-      return "unknown key '" + item.key() + "'";
-    }
-  }
-  for (const auto& key : rule.value("required", Json::array()))
-  {
-    if (!object.contains(key.get<std::string>()))
-    {
-      return "key '" + key.get<std::string>() + "' is missing";
-    }
-  }
-  return "";
-}
-
-// The part of the schema that a place in a document has to follow.
-const Json& RuleOf(const Json& schema, const std::vector<std::string>& place)
-{
-  const Json* rule = &schema;
-  for (std::size_t i = 1; i < place.size(); ++i)
-  {
-    const std::string key = place[i].substr(1, place[i].size() - 2);
-    rule = rule->contains("items") ? &rule->at("items") : &rule->at("properties").at(key);
-    if (rule->contains("$ref"))
-    {
-      rule = &schema.at(Json::json_pointer(rule->at("$ref").get<std::string>().substr(1)));
-    }
-  }
-  return *rule;
-}
-
-void Validate(const std::string& file, const Json& document)
-{
-  const Json schemaDocument = Json::parse(Embedded::SceneSchema);
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaDocument), schema);
-  valijson::Validator validator;
-  valijson::ValidationResults results;
-  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results))
-  {
-    return;
-  }
-  // The deepest place is the one that is wrong; those above it are wrong because of it.
-  valijson::ValidationResults::Error error;
-  valijson::ValidationResults::Error deepest;
-  while (results.popError(error))
-  {
-    if (error.context.size() > deepest.context.size())
-    {
-      deepest = error;
-    }
-  }
-  const auto pointer = PointerTo(deepest.context);
-  const Json& value = document.at(pointer);
-  const Json& rule = RuleOf(schemaDocument, deepest.context);
-  const std::string key = WrongKey(rule, value);
-  const std::string what = key.empty() ? Shortened(value.dump()) : key;
-  throw Failure(file + ": at '" + pointer.to_string() + "': " + (key.empty() ? "is " : "") + what +
-    ", expected " + rule.value("description", deepest.description));
-}
 
 Vector3 ToVector(const Json& value)
 {
@@ -238,8 +121,7 @@ private:
 //------------------------------------------------------------------------------
 SceneFile ReadSceneFile(const std::string& file)
 {
-  const Json json = Parse(file);
-  Validate(file, json);
+  const Json json = ReadJson(file, Embedded::SceneSchema, "a scene file");
   const SceneReader reader(file);
   SceneFile scene;
   scene.Title = json.value("title", "");

@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkAutomaticTransparencyPass.h"
 #include "vtkCamera.h"
+#include "vtkFragmentTracePass.h"
 #include "vtkLight.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -110,9 +111,33 @@ vtkOpenGLRenderWindow* Stage::GetOpenGLWindow()
 //------------------------------------------------------------------------------
 int Stage::Add(const Scene& scene, const TechniqueChoice& technique)
 {
+  return this->AddPass(scene, technique, MakePass(technique));
+}
+
+//------------------------------------------------------------------------------
+int Stage::AddTrace(const Scene& scene)
+{
+  return this->AddPass(scene, { "trace", "trace", {} }, vtkSmartPointer<vtkFragmentTracePass>::New());
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkStorageSimulator::Fragment>& Stage::GetFragments(int trace)
+{
+  auto* pass = vtkFragmentTracePass::SafeDownCast(this->Players[trace].Pass);
+  const std::string missing = pass->GetMissing(this->GetOpenGLWindow());
+  if (!missing.empty())
+  {
+    throw Failure("fragments can't be traced: the driver lacks " + missing);
+  }
+  return pass->GetFragments();
+}
+
+//------------------------------------------------------------------------------
+int Stage::AddPass(const Scene& scene, const TechniqueChoice& technique, vtkRenderPass* pass)
+{
   Player player;
   player.Technique = technique;
-  player.Pass = MakePass(technique);
+  player.Pass = pass;
   player.Renderer = vtkSmartPointer<vtkRenderer>::New();
   player.Renderer->SetBackground(scene.Background.data());
   player.Renderer->DrawOff();

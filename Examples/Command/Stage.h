@@ -11,6 +11,7 @@
 #include "Techniques.h"
 
 #include "vtkNew.h"
+#include "vtkStorageSimulator.h"
 
 #include <array>
 #include <optional>
@@ -59,6 +60,12 @@ public:
   /// One more technique that draws the scene; the number to name it by.
   int Add(const Scene& scene, const TechniqueChoice& technique);
 
+  /// A drawing that keeps the fragments of its frames (vtkFragmentTracePass); the number to name it by.
+  int AddTrace(const Scene& scene);
+
+  /// The fragments of its last frame. Throws Failure if the driver can't give them.
+  const std::vector<vtkStorageSimulator::Fragment>& GetFragments(int trace);
+
   /// Draws a frame and waits for its end; milliseconds. Throws Failure if VTK reported an error.
   double Draw(int technique);
 
@@ -82,6 +89,7 @@ public:
 
 private:
   vtkOpenGLRenderWindow* GetOpenGLWindow();
+  int AddPass(const Scene& scene, const TechniqueChoice& technique, vtkRenderPass* pass);
 
   struct Player
   {

@@ -22,7 +22,7 @@ int main(int argc, char* argv[])
     {
       return EXIT_SUCCESS;
     }
-    if (arguments->Do != Action::Schema && arguments->Do != Action::Run)
+    if (arguments->NeedsDisplay)
     {
       EnsureDisplay(argv);
     }

@@ -219,6 +219,9 @@ public:
   const Rectangle& GetTile() const { return this->Tile; }
   const std::string& GetError() const { return this->Error; }
 
+  /// Says why a stage has failed; false, for the stage to return.
+  bool Fail(const std::string& error);
+
   vtkTranslucencyFrame(const vtkTranslucencyFrame&) = delete;
   vtkTranslucencyFrame& operator=(const vtkTranslucencyFrame&) = delete;
 
@@ -229,7 +232,6 @@ private:
 
   friend class vtkTranslucencyPass;
   static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
-  bool Fail(const std::string& error);
   void ChooseTransmission();
   Defines GetOfferedDefines() const;
   bool Retrieve();

@@ -46,6 +46,10 @@ std::string CheckFrame(const vtkStorageAccounting::Histogram& frame, const std::
 {
   const std::int64_t side = coordinateBits < 31 ? std::int64_t(1) << coordinateBits : 0x7fffffff;
   std::vector<std::string> errors{ CheckRange(name + ": width", frame.Width, 1, side), CheckRange(name + ": height", frame.Height, 1, side) };
+  for (std::string& error : errors)
+  {
+    error += error.empty() ? "" : ", with coordinates of " + std::to_string(coordinateBits) + " bits";
+  }
   std::int64_t left = static_cast<std::int64_t>(frame.Width) * frame.Height;
   std::int64_t fragments = vtkStorageAccounting::MostFragments;
   for (const auto& pixels : frame.Pixels)

@@ -6,12 +6,13 @@ import os
 import pathlib
 
 from checks import fails, png_size, read_page, run, succeeds, warns, writes_picture
-from inputs import SUFFIXES
+from inputs import FRAGMENTS, SUFFIXES, trace_binary, trace_csv, write
 
 SMALL = ["--size", "40x30"]
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Data"
 FROG = str(DATA / "frog.json")
 CAROTID = str(DATA / "carotid.json")
+QUAKE4 = str(DATA / "quake4.json")
 
 
 def render(*arguments):
@@ -54,10 +55,13 @@ def list_json(command, folder):
 def schema_is_json(command, folder):
     schema = json.loads(succeeds(command, folder, ["schema"], {**os.environ, "DISPLAY": ""}))
     assert schema["type"] == "object" and "actors" in schema["properties"]
+    assert json.loads(succeeds(command, folder, ["schema", "scene"], {**os.environ, "DISPLAY": ""})) == schema
+    schema = json.loads(succeeds(command, folder, ["schema", "histogram"], {**os.environ, "DISPLAY": ""}))
+    assert schema["type"] == "object" and "frames" in schema["properties"]
 
 
 def help_teaches(command, folder):
-    for subcommand in [[], ["render"], ["compare"], ["bench"]]:
+    for subcommand in [[], ["render"], ["compare"], ["bench"], ["storage"], ["trace"]]:
         text = succeeds(command, folder, [*subcommand, "--help"], {**os.environ, "DISPLAY": ""})
         assert "xample" in text or "Start with" in text, text
 
@@ -257,6 +261,77 @@ def fragments_of(scene, least, most):
     return case
 
 
+def storage_of_paper(command, folder):
+    """The headline numbers of the T-buffer's paper: 29 % and 67 % less storage, 52 % fewer and 27 % more accesses, within two points; and
+    frame 480, where sections of three take more than the R-buffer."""
+    text = succeeds(command, folder, ["storage", QUAKE4, "-o", "out"])
+    report = json.loads((folder / "out" / "storage.json").read_text())
+    means = {mean["against"]: mean for mean in report["means"]}
+    for against, key, percent in [("r-buffer", "less_storage", 29), ("m-buffer", "less_storage", 67),
+                                  ("r-buffer", "fewer_accesses", 52), ("m-buffer", "fewer_accesses", -27)]:
+        assert abs(100 * means[against][key] - percent) < 2, (against, key, means[against][key])
+    assert "t-buffer against r-buffer: -28.8 % storage, -51.5 % accesses" in text, text
+    assert (folder / "out" / "table.txt").read_text() == text
+    assert {path.name for path in (folder / "out").iterdir()} == {"table.txt", "storage.json", "bytes.png", "accesses.png"}
+    pictures = [(folder / "out" / name).read_bytes() for name in ("bytes.png", "accesses.png")]
+    assert all(png_size(picture) == (1100, 600) for picture in pictures) and pictures[0] != pictures[1]
+    assert [frame["name"] for frame in report["frames"]][:2] == ["Frame0", "Frame120"] and not report["simulated"]
+
+    succeeds(command, folder, ["storage", QUAKE4, "--section-length", "3", "-o", "three"])
+    frames = json.loads((folder / "three" / "storage.json").read_text())["frames"]
+    for frame in frames:
+        bytes_of = {row["design"]: row["bytes"] for row in frame["designs"]}
+        assert (bytes_of["t-buffer"] > bytes_of["r-buffer"]) == (frame["name"] == "Frame480"), frame["name"]
+
+
+def without_title(text):
+    return text.split("\n", 1)[1]
+
+
+def storage_of_traces(command, folder):
+    """Both kinds of trace and the histogram of them give the same table, without a display."""
+    environment = {**os.environ, "DISPLAY": ""}
+    csv, binary, histogram = [
+        succeeds(command, folder, ["storage", name, *["--title", "same"]], environment) for name in ("ok.csv", "ok.trace", "histogram.json")]
+    assert csv == binary
+    assert "the simulator has come to the same numbers" in csv
+    assert csv.replace("; the simulator has come to the same numbers", "") == histogram, histogram
+    assert "Frame7: 9 fragments in 9 pixels" in csv and "Frame12: 5 fragments in 1 pixels" in csv, csv
+
+
+def storage_settings(command, folder):
+    """Each changes the bytes of its designs, and of no other."""
+
+    def costs(*arguments):
+        succeeds(command, folder, ["storage", QUAKE4, *arguments, "-o", "out"])
+        designs = json.loads((folder / "out" / "storage.json").read_text())["frames"][3]["designs"]
+        return {row["design"]: row["bytes"] for row in designs}
+
+    before = costs()
+    for flag, changed in [("--section-length", {"t-buffer"}), ("--m-section-length", {"m-buffer"}), ("--coordinate-bits", {"r-buffer"}),
+                          ("--address-bits", {"linked-list", "t-buffer", "m-buffer"}), ("--depth-bits", set(before)),
+                          ("--color-bits", set(before))]:
+        after = costs(flag, "24")
+        assert {name for name in before if after[name] != before[name]} == changed, flag
+
+
+def trace_of_scene(command, folder):
+    """A scene, its trace as .csv and as .trace: one table; the trace is the same in tiles."""
+    scene = ["scene:rectangles:count=40", "--size", "64x48"]
+    for name in ("a.csv", "a.trace"):
+        printed = succeeds(command, folder, ["trace", *scene, "-o", name])
+        fragments = int(printed.split()[0].replace(",", ""))
+    lines = (folder / "a.csv").read_text().splitlines()
+    assert lines[:2] == ["# size 64x48", "frame,x,y,z,r,g,b,a"] and len(lines) == fragments + 2
+    assert (folder / "a.trace").read_bytes() == trace_binary(
+        [tuple(int(cell) if i < 3 else float(cell) for i, cell in enumerate(line.split(","))) for line in lines[2:]], size=(64, 48))
+    tables = [succeeds(command, folder, ["storage", *arguments]) for arguments in (["a.csv"], ["a.trace"], scene)]
+    tables = [without_title(table).replace("Frame0: ", "the frame: ") for table in tables]
+    assert tables[0] == tables[1] == tables[2]
+    succeeds(command, folder, ["bench", *scene, "--techniques", "exact", "--frames", "1", "--warmup", "0", "-o", "times.json"])
+    assert json.loads((folder / "times.json").read_text())["techniques"][0]["fragments"] == fragments
+
+
 CASES = {
     "List": list_text,
     "ListJson": list_json,
@@ -304,6 +379,11 @@ CASES = {
     "CompareTellsWhatAutoChose": compare_tells_what_auto_chose,
     "Bench": bench_writes_json,
     "BenchPrintsOnly": bench_prints_only,
+    "StorageOfPaper": storage_of_paper,
+    "StorageOfTraces": storage_of_traces,
+    "StorageSettings": storage_settings,
+    "TraceOfScene": trace_of_scene,
+    "TraceTransmission": warns(["trace", "ok.vtp", *SMALL, "--transmission", "red", "-o", "a.csv"], "mean"),
     "WithoutDisplay": without_display,
     "SceneSpheres": fragments_of("scene:spheres", 4.0e6, 4.4e6),
     "SceneRectangles": fragments_of("scene:rectangles", 3.6e6, 3.8e6),
@@ -453,4 +533,135 @@ CASES.update({
     "BadStreamtubesLeaving": tubes_fail(r"leaving\.vti: has no streamline, expected vectors that stay inside the data", "leaving.vti"),
     "BadStreamtubesNan": tubes_fail(r"nan\.vti: the length of vector 1 is nan, expected a finite number", "nan.vti"),
     "BadStreamtubesInfinite": tubes_fail(r"huge\.vti: the length of vector 0 is inf, expected a finite number", "huge.vti"),
+})
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Traces and histograms.
+
+
+def trace(*arguments):
+    return ["trace", *arguments, *SMALL]
+
+
+def storage(*arguments):
+    return ["storage", *arguments, "-o", "out"]
+
+
+def row_fails(expected, index=3, **changed):
+    """A trace of which one fragment is changed, in both kinds; expected stands behind the place."""
+    columns = ["frame", "x", "y", "z", "r", "g", "b", "a"]
+
+    def case(command, folder):
+        rows = [list(row) for row in FRAGMENTS]
+        for column, value in changed.items():
+            rows[index][columns.index(column)] = value
+        write(folder, {"bad.csv": trace_csv(rows), "bad.trace": trace_binary(rows)})
+        fails(storage("bad.csv"), rf"bad\.csv:{index + 3}: {expected}")(command, folder)
+        fails(storage("bad.trace"), rf"bad\.trace: frame 7, fragment {index}: {expected}")(command, folder)
+
+    return case
+
+
+def csv_fails(expected, **changes):
+    def case(command, folder):
+        write(folder, {"bad.csv": trace_csv(**changes)})
+        fails(storage("bad.csv"), expected)(command, folder)
+
+    return case
+
+
+def cell_fails(column, text, expected):
+    return csv_fails(rf"bad\.csv:4: {expected}", rows=[FRAGMENTS[0], [*FRAGMENTS[1][:column], text, *FRAGMENTS[1][column + 1:]]])
+
+
+def binary_fails(expected, **changes):
+    def case(command, folder):
+        write(folder, {"bad.trace": trace_binary(**changes)})
+        fails(storage("bad.trace"), expected)(command, folder)
+
+    return case
+
+
+def histogram_fails(change, expected, *arguments):
+    def case(command, folder):
+        histogram = json.loads((folder / "histogram.json").read_text())
+        change(histogram)
+        (folder / "histogram.json").write_text(json.dumps(histogram))
+        fails(storage("histogram.json", *arguments), expected)(command, folder)
+
+    return case
+
+
+BACKWARDS = [FRAGMENTS[9], *FRAGMENTS[:2]]
+
+CASES.update({
+    "BadTraceX": row_fails(r"x is 4, expected a pixel of the frame, 0 to 3", x=4),
+    "BadTraceY": row_fails(r"y is 3, expected a pixel of the frame, 0 to 2", y=3),
+    "BadTraceDepth": row_fails(r"z is 1\.5, expected a number in 0\.\.1", z=1.5),
+    "BadTraceDepthNegative": row_fails(r"z is -0\.5, expected a number in 0\.\.1", z=-0.5),
+    "BadTraceDepthNan": row_fails(r"z is nan, expected a number in 0\.\.1", z=float("nan")),
+    "BadTraceColor": row_fails(r"g is -1, expected a finite number, 0 or more", g=-1),
+    "BadTraceColorNan": row_fails(r"r is nan, expected a finite number, 0 or more", r=float("nan")),
+    "BadTraceColorInfinite": row_fails(r"b is inf, expected a finite number, 0 or more", b=float("inf")),
+    "BadTraceOpacity": row_fails(r"a is 1\.25, expected a number in 0\.\.1", a=1.25),
+    "BadTraceOpacityNegative": row_fails(r"a is -0\.25, expected a number in 0\.\.1", a=-0.25),
+    "BadTraceXNegative": cell_fails(1, "-1", r"x is -1, expected a pixel of the frame"),
+    "BadTraceXFraction": cell_fails(1, "1.5", r"x is '1\.5', expected an integer, 0 or more"),
+    "BadTraceXLarge": cell_fails(1, "99999999999", r"x is '99999999999', expected an integer, 0 or more"),
+    "BadTraceText": cell_fails(3, "near", r"z is 'near', expected a number in 0\.\.1"),
+    "BadTraceNoValue": cell_fails(3, "", r"z is '', expected a number in 0\.\.1"),
+    "BadTraceFrame": cell_fails(0, "-1", r"frame is '-1', expected an integer, 0 or more"),
+    "BadTraceFramesBackwards": csv_fails(r"bad\.csv:4: frame is 7, expected more than 12, that of the frame before", rows=BACKWARDS),
+    "BadTraceFramesBackwardsBinary": binary_fails(r"bad\.trace: byte \d+: frame is 7, expected more than 12", rows=BACKWARDS),
+    "BadTraceFewValues": csv_fails(r"bad\.csv: Too few columns in line 3 .*Expected the columns", rows=[FRAGMENTS[0][:7]]),
+    "BadTraceManyValues": csv_fails(r"bad\.csv: Too many columns in line 3 .*Expected the columns", rows=[(*FRAGMENTS[0], 1)]),
+    "BadTraceColumnMissing": csv_fails(r"Missing column .z. .*Expected the columns frame,x,y,z,r,g,b,a", columns="frame,x,y,r,g,b,a"),
+    "BadTraceColumnUnknown": csv_fails(r"Extra column .depth. .*Expected the columns frame,x,y,z,r,g,b,a", columns="frame,x,y,depth,r,g,b,a"),
+    "BadTraceColumnTwice": csv_fails(r"Duplicated column .x. .*Expected the columns", columns="frame,x,x,z,r,g,b,a"),
+    "BadTraceNoSize": csv_fails(r"bad\.csv:1: is 'frame,x,y,z,r,g,b,a', expected '# size WIDTHxHEIGHT'", head="frame,x,y,z,r,g,b,a"),
+    "BadTraceSize": csv_fails(r"bad\.csv:1: is '# size 4', expected '# size WIDTHxHEIGHT'", head="# size 4"),
+    "BadTraceSizeZero": csv_fails(r"bad\.csv:1: height is 0, expected 1 to 65535", head="# size 4x0"),
+    "BadTraceSizeLarge": csv_fails(r"bad\.csv:1: width is 65536, expected 1 to 65535", head="# size 65536x4"),
+    "BadTraceSizeBinary": binary_fails(r"bad\.trace: byte 16: height is 0, expected 1 to 65535", size=(4, 0)),
+    "BadTraceMagic": binary_fails(r"bad\.trace: is not a trace, expected the eight bytes 'FRAGMENT'", magic=b"fragment"),
+    "BadTraceVersion": binary_fails(r"bad\.trace: byte 8: version is 2, expected 1", version=2),
+    "BadTraceEmpty": fails(storage("empty.csv"), r"empty\.csv: is empty, expected a trace"),
+    "BadTraceEmptyBinary": fails(storage("empty.trace"), r"empty\.trace: is empty, expected a trace"),
+    "BadTraceGarbage": fails(storage("garbage.csv"), r"garbage\.csv:1: is '.*', expected '# size WIDTHxHEIGHT'"),
+    "BadTraceGarbageBinary": fails(storage("garbage.trace"), r"garbage\.trace: is not a trace"),
+    "BadTraceNoRows": fails(storage("norows.csv"), r"norows\.csv: has no fragments, expected at least one"),
+    "BadTraceNoFrames": fails(storage("noframes.trace"), r"noframes\.trace: has no fragments, expected at least one"),
+    "BadTraceCut": fails(storage("cut.trace"), r"cut\.trace: byte \d+: frame 12 has 5 fragments, expected 120 bytes for them, but the file ends after 119"),
+    "BadTraceCutHead": fails(storage("cuthead.trace"), r"cuthead\.trace: byte 12: the file ends, expected width"),
+    "BadTraceCutFrame": fails(storage("cutframe.trace"), r"cutframe\.trace: byte 28: the file ends, expected the number of fragments of frame 7"),
+    "BadTraceLonger": fails(storage("longer.trace"), r"longer\.trace: byte \d+: 1 bytes are left behind the last frame, expected none"),
+    "BadTraceMissing": fails(storage("gone.csv"), r"gone\.csv: can't be read, expected a trace"),
+    "BadTraceOutputSuffix": fails(trace("ok.vtp", "-o", "out.txt"), r"'out\.txt' has the suffix '\.txt', expected \.csv or \.trace"),
+    "BadTraceNoOutput": fails(trace("ok.vtp"), r"--output is required"),
+    "BadTraceOutputFolder": fails(trace("ok.vtp", "-o", "gone/out.csv"), r"'gone/out\.csv' can't be written"),
+    "BadTraceSamples": fails(trace("ok.vtp", "--samples", "4", "-o", "out.csv"), r"a pixel has 4 samples, expected 1"),
+    "BadTraceOpaque": fails(trace("ok.vtp", "--opacity", "1", "-o", "out.csv"), r"ok\.vtp: has no translucent fragments, expected at least one"),
+    "BadTraceMemoryLimit": fails(trace("ok.vtp", "--memory-limit", "1", "-o", "out.csv"), r"--memory-limit"),
+    "BadStorageNoInput": fails(["storage"], r"nothing to draw, expected an INPUT or --scene FILE"),
+    "BadStorageSuffix": fails(storage("out.txt"), r"out\.txt: "),
+    "BadStorageTwo": fails(storage("ok.csv", "ok.trace"), r"'ok\.csv' is a histogram or a trace, expected no other INPUT, but there are 2"),
+    "BadStorageWithScene": fails(storage("ok.csv", "--scene", "scene.json"), r"expected no option of scenes, but there is --scene"),
+    "BadStorageWithSize": fails(storage("histogram.json", "--size", "4x4"), r"expected no option of scenes, but there is --size"),
+    "BadStorageSectionLength": fails(storage("ok.csv", "--section-length", "0"), r"--section-length.*'0', expected a number in 1\.\.64"),
+    "BadStorageSectionLengthM": fails(storage("ok.csv", "--m-section-length", "65"), r"--m-section-length.*'65', expected a number in 1\.\.64"),
+    "BadStorageAddressBits": fails(storage(QUAKE4, "--address-bits", "17"), r"address bits are 17, expected at least 18 for the 135475 sections of the linked-list"),
+    "BadStorageCoordinateBits": fails(storage(QUAKE4, "--coordinate-bits", "9"), r"frame 0: width is 640, expected 1 to 512, with coordinates of 9 bits"),
+    "BadStorageDepthBits": fails(storage("ok.csv", "--depth-bits", "nan"), r"--depth-bits.*'nan', expected a number in 1\.\.64"),
+    "BadStorageOutput": fails(["storage", "ok.csv", "-o", "ok.vtp"], r"folder 'ok\.vtp' can't be made"),
+    "BadHistogramCut": fails(storage("cut.json"), r"cut\.json: is not JSON: parse error"),
+    "BadHistogramMissing": fails(storage("gone.json"), r"gone\.json: can't be read, expected a histogram"),
+    "BadHistogramScene": fails(storage("scene.json"), r"scene\.json: at '': unknown key '\w+', expected"),
+    "BadHistogramKey": histogram_fails(put("frames", 0, "depth", value=1), r"at '/frames/0': unknown key 'depth', expected an object with name and pixels"),
+    "BadHistogramNoFrames": histogram_fails(put("frames", value=[]), r"at '/frames': is \[\], expected an array of one or more frames"),
+    "BadHistogramNoPixels": histogram_fails(lambda histogram: histogram["frames"][0].pop("pixels"), r"at '/frames/0': key 'pixels' is missing"),
+    "BadHistogramNegative": histogram_fails(put("frames", 0, "pixels", value=[4, -1]), r"at '/frames/0/pixels/1': is -1, expected a number of pixels, 0 or more"),
+    "BadHistogramFraction": histogram_fails(put("frames", 0, "pixels", value=[0.5]), r"at '/frames/0/pixels/0': is 0\.5, expected a number of pixels"),
+    "BadHistogramSize": histogram_fails(put("size", value=[0, 3]), r"at '/size/0': is 0, expected"),
+    "BadHistogramPixels": histogram_fails(put("frames", 0, "pixels", value=[8, 5]), r"frame 0: pixels of 2 fragments is 5, expected 0 to 4"),
+    "BadSchemaKind": fails(["schema", "trace"], r"trace not in \{scene,histogram\}"),
 })

@@ -222,6 +222,32 @@ def tubes():
     return {"size": [48, 32], "actors": [actor]}
 
 
+# Two frames, with fragments on both diagonals of 4 x 3 pixels and several in one; each is frame, x, y, z, r, g, b, a. Every number is a float without rounding.
+FRAGMENTS = [(7, i % 4, i % 3, 0.125 + i / 32, 0.5, 1.25, 0.0, 0.25) for i in range(9)]
+FRAGMENTS += [(12, 3, 2, 0.5, 1.0, 0.0, 0.75, i / 8) for i in range(5)]
+TRACE_SIZE = (4, 3)
+
+
+def trace_csv(rows=FRAGMENTS, head="# size 4x3", columns="frame,x,y,z,r,g,b,a"):
+    return "\n".join([head, columns, *(",".join(map(str, row)) for row in rows)]) + "\n"
+
+
+def trace_binary(rows=FRAGMENTS, magic=b"FRAGMENT", version=1, size=TRACE_SIZE):
+    numbers = list(dict.fromkeys(row[0] for row in rows))
+    frames = [[row for row in rows if row[0] == number] for number in numbers]
+    content = struct.pack("<8s4I", magic, version, *size, len(frames))
+    for number, frame in zip(numbers, frames):
+        content += struct.pack("<IQ", number, len(frame))
+        content += b"".join(struct.pack("<2H5f", *row[1:]) for row in frame)
+    return content
+
+
+def histogram():
+    """That of the traces."""
+    return {"title": "Two frames", "size": list(TRACE_SIZE),
+            "frames": [{"name": "Frame7", "pixels": [9]}, {"name": "Frame12", "pixels": [0, 0, 0, 0, 1]}]}
+
+
 def write_good(folder):
     """One valid file of each kind: ok.vtp, ok.vtu, ..."""
     contents = {
@@ -231,6 +257,7 @@ def write_good(folder):
         "flow.vti": flow(), "straight.vti": flow([(0, 0, 2)] * SIDE ** 3),
         "slowing.vti": flow([(0, 0, SIDE - z) for z in range(SIDE) for _ in range(SIDE ** 2)]),
         "tubes.json": json.dumps(tubes()),
+        "ok.csv": trace_csv(), "ok.trace": trace_binary(), "histogram.json": json.dumps(histogram()),
     }
     write(folder, contents)
     return contents
@@ -271,6 +298,10 @@ def write_broken(folder):
         "slice.vti": flow(layers=1),
         "leaving.vti": flow([(1, -1, 0)] + [(0, 0, 0)] * (SIDE ** 3 - 1)),
         "nan.vti": flow([(1, 0, 0), (0, math.nan, 0)] * (SIDE ** 3 // 2)),
+        "empty.csv": "", "empty.trace": b"", "garbage.csv": garbage, "garbage.trace": garbage,
+        "norows.csv": trace_csv([]), "noframes.trace": trace_binary([]),
+        "cut.trace": good["ok.trace"][:-1], "cuthead.trace": good["ok.trace"][:14], "cutframe.trace": good["ok.trace"][:30],
+        "longer.trace": good["ok.trace"] + b"\0",
         "huge.vti": flow([(1e308, 1e308, -1.6e308)] * SIDE ** 3),
     })
     (folder / "folder.vtp").mkdir()

@@ -223,8 +223,8 @@ TEST(TestStorageAccounting, SaysWhatIsWrong)
   EXPECT_EQ(error(settings, frame), "");
   settings = {};
   settings.Bits.Coordinate = 1;
-  EXPECT_EQ(error(settings, frame), "frame 0: width is 4, expected 1 to 2");
-  EXPECT_EQ(error({}, { 4, 0, {} }), "frame 0: height is 0, expected 1 to 65536");
+  EXPECT_EQ(error(settings, frame), "frame 0: width is 4, expected 1 to 2, with coordinates of 1 bits");
+  EXPECT_EQ(error({}, { 4, 0, {} }), "frame 0: height is 0, expected 1 to 65536, with coordinates of 16 bits");
   EXPECT_EQ(error({}, { 4, 4, { { 0, 5 } } }), "frame 0: fragments of a pixel is 0, expected 1 to 1000000000");
   EXPECT_EQ(error({}, { 4, 4, { { 2, 10 }, { 3, 7 } } }), "frame 0: pixels of 3 fragments is 7, expected 0 to 6");
   EXPECT_EQ(error({}, { 4, 4, { { 2, -1 } } }), "frame 0: pixels of 2 fragments is -1, expected 0 to 16");

@@ -9,7 +9,7 @@
 #define STORAGE_BINDING_SAMPLES 4    // see SampleColors.glsl
 #define STORAGE_BINDING_NEXT 5       // fragment storage: next sections; the pixels of a queue
 #define STORAGE_BINDING_LINKS 6      // fragment storage: links of fragments that have been moved; second depths
-#define STORAGE_BINDING_READ_BACK 7  // what the application reads, see Storage/CountAccesses.glsl
+#define STORAGE_BINDING_READ_BACK 7  // what the application reads, see Storage/CountAccesses.glsl, Trace/Resolve.glsl
 #define STORAGE_BINDINGS 8
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
