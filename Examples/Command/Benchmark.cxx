@@ -76,6 +76,7 @@ std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& te
     blend = techniques[i].Name == "blend" ? &timing : blend;
     progress.Step(techniques[i].Label + ", stages");
     MeasureStages(stage, numbers[i], settings.StageFrames, timing);
+    timing.Storage = stage.CountStorage(numbers[i]); // last: it draws by other shaders
   }
   for (Timing& timing : timings)
   {

@@ -19,6 +19,7 @@ struct Timing
   std::optional<double> RatioToBlend; ///< of the medians
   std::optional<StageTimes> Stages;   ///< medians
   FrameStatistics Statistics;         ///< of the last frame
+  std::optional<StorageCounts> Storage;
 };
 
 struct BenchmarkSettings

@@ -51,6 +51,8 @@ void SetTimes(const ReportRow& row, double slowest, data& entry)
   entry.set("fragments", statistics.Known ? Grouped(statistics.Fragments) : "-");
   entry.set("deepest", statistics.Known ? Grouped(statistics.DeepestPixel) : "-");
   entry.set("mebibytes", statistics.Known ? Fixed(statistics.Mebibytes, 1) : "-");
+  entry.set("packed", times.Storage ? Fixed(times.Storage->PackedMebibytes, 1) : "-");
+  entry.set("accesses", times.Storage ? Grouped(times.Storage->Total) : "-");
   if (!statistics.Chosen.empty())
   {
     entry.set("chosen", statistics.Chosen);

@@ -49,6 +49,9 @@ std::vector<Column> CountColumns()
       { return known(row, Grouped(row.Times.Statistics.DeepestPixel)); } },
     { "MiB",
       [=](const ReportRow& row) { return known(row, Fixed(row.Times.Statistics.Mebibytes, 1)); } },
+    { "packed MiB",
+      [](const ReportRow& row) { return row.Times.Storage ? Fixed(row.Times.Storage->PackedMebibytes, 1) : None; } },
+    { "accesses", [](const ReportRow& row) { return row.Times.Storage ? Grouped(row.Times.Storage->Total) : None; } },
   };
 }
 
@@ -98,6 +101,18 @@ void AddCounts(const FrameStatistics& statistics, Json& row)
   row["fallback"] = statistics.Fallback.empty() ? Json() : Json(statistics.Fallback);
 }
 
+void AddStorage(const std::optional<StorageCounts>& counts, Json& row)
+{
+  row["section_length"] = counts ? Json(counts->SectionLength) : Json();
+  row["packed_mebibytes"] = counts ? Json(counts->PackedMebibytes) : Json();
+  row["accesses"] = Json();
+  if (counts)
+  {
+    row["accesses"] = { { "stores", counts->Stores }, { "reads", counts->Reads }, { "table", counts->Table },
+      { "second_depth", counts->SecondDepth }, { "frame_buffer", counts->FrameBuffer }, { "total", counts->Total } };
+  }
+}
+
 Json RowToJson(const ReportRow& row, bool comparison)
 {
   const Timing& times = row.Times;
@@ -112,6 +127,7 @@ Json RowToJson(const ReportRow& row, bool comparison)
   json["gather_milliseconds"] = times.Stages ? Json(times.Stages->Gather) : Json();
   json["resolve_milliseconds"] = times.Stages ? Json(times.Stages->Resolve) : Json();
   AddCounts(times.Statistics, json);
+  AddStorage(times.Storage, json);
   if (comparison)
   {
     const auto& difference = row.ToReference;

@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkAutomaticTransparencyPass.h"
 #include "vtkCamera.h"
+#include "vtkFragmentListPass.h"
 #include "vtkFragmentTracePass.h"
 #include "vtkLight.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -263,6 +264,26 @@ std::optional<StageTimes> Stage::DrawMeasured(int technique)
     return {};
   }
   return times;
+}
+
+//------------------------------------------------------------------------------
+std::optional<StorageCounts> Stage::CountStorage(int technique)
+{
+  auto* pass = vtkFragmentListPass::SafeDownCast(this->Players[technique].Pass);
+  if (!pass)
+  {
+    return {};
+  }
+  pass->CountAccessesOn();
+  this->Draw(technique);
+  pass->CountAccessesOff();
+  vtkTranslucencyStatistics* from = pass->GetStatistics();
+  if (from->GetAccesses() < 0)
+  {
+    return {};
+  }
+  return StorageCounts{ from->GetSectionLength(), from->GetPackedBytes() / (1024.0 * 1024.0), from->GetStores(), from->GetReads(),
+    from->GetTableAccesses(), from->GetSecondDepthAccesses(), from->GetFrameBufferAccesses(), from->GetAccesses() };
 }
 
 //------------------------------------------------------------------------------

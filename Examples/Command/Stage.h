@@ -41,6 +41,19 @@ struct FrameStatistics
   std::string Fallback; ///< what was drawn instead, if the driver could not run the technique
 };
 
+/// What a frame takes of a fragment storage: see vtkTranslucencyStatistics.
+struct StorageCounts
+{
+  int SectionLength = 1;
+  double PackedMebibytes = 0;
+  long long Stores = 0;
+  long long Reads = 0;
+  long long Table = 0;
+  long long SecondDepth = 0;
+  long long FrameBuffer = 0;
+  long long Total = 0;
+};
+
 /// Milliseconds on the GPU.
 struct StageTimes
 {
@@ -77,6 +90,9 @@ public:
 
   /// Draws a frame with timers on; nothing if the technique has none.
   std::optional<StageTimes> DrawMeasured(int technique);
+
+  /// Draws a frame that counts accesses; nothing if the technique has no fragment storage.
+  std::optional<StorageCounts> CountStorage(int technique);
 
   /// The frame drawn last.
   Picture Read();
