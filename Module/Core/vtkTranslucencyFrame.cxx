@@ -449,7 +449,7 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() con
   offered["TRANSMITTANCE_CHANNELS"] = std::to_string(this->GetChannels());
   offered["SAMPLES"] = std::to_string(this->Samples);
   offered["TARGET_SAMPLES"] = std::to_string(this->TargetSamples);
-  offered["NODE_LINKS"] = "0";
+  offered["NODE_LINKS"] = std::to_string(static_cast<int>(vtkFragmentStorage::Links::None));
   offered["FRAGMENT_ORDER"] = this->Pass->Internal->Capabilities.KeepsDrawOrder
     ? "FRAGMENT_ORDER_DRAWN"
     : "FRAGMENT_ORDER_CONTENT";
@@ -504,7 +504,7 @@ bool vtkTranslucencyFrame::PrepareGather()
   }
   vtkTranslucencyShader volumes; // compiled with the ray caster only: it declares what that one has
   Defines offered = this->GetOfferedDefines();
-  offered["NODE_LINKS"] = "1";
+  offered["NODE_LINKS"] = std::to_string(static_cast<int>(vtkFragmentStorage::Links::Mixed));
   if (!volumes.Assemble("Common/GatherVolume.glsl", {}, offered, this->GetSelection()))
   {
     return this->Fail(volumes.GetError());
@@ -1106,7 +1106,7 @@ vtkShaderProgram* vtkTranslucencyFrame::PrepareProgram(
   Defines offered = this->GetOfferedDefines();
   if (this->Storage)
   {
-    offered["NODE_LINKS"] = this->Storage->HasLinks() ? "1" : "0";
+    offered["NODE_LINKS"] = std::to_string(static_cast<int>(this->Storage->GetLinks()));
   }
   const std::string key = Key(file, defines, offered) + Key("", selection, {});
   const auto found = kept.Programs.find(key);
@@ -1183,6 +1183,10 @@ bool vtkTranslucencyFrame::Resolve(
   over.Blend = this->GetOver();
   this->PrepareColors(over);
   this->DrawVertices(GL_POINTS, across * down);
+  if (this->Storage)
+  {
+    this->Storage->FinishLinks();
+  }
   kept.Resolved.reset();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);

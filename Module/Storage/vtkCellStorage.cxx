@@ -161,7 +161,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
   const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities)
 {
   this->Tile = tile;
-  this->LinksReserved = false;
+  this->Linked = Links::None;
   this->LimitBytes = this->GetLimitBytes(capabilities);
   this->BlockBytes = static_cast<double>(capabilities.MaximumBlockBytes);
   this->UnitsAllowed = this->GetUnitsAllowed(tile, capabilities);
@@ -304,7 +304,7 @@ bool vtkCellStorage::ReserveBuffers(
 //------------------------------------------------------------------------------
 bool vtkCellStorage::ReserveLinks()
 {
-  if (this->LinksReserved)
+  if (this->Linked != Links::None)
   {
     return true;
   }
@@ -321,14 +321,20 @@ bool vtkCellStorage::ReserveLinks()
       buffer.BindStorage(layout.Binding);
     }
   }
-  this->LinksReserved = true;
+  this->Linked = Links::Made;
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkCellStorage::HasLinks() const
+void vtkCellStorage::FinishLinks()
 {
-  return this->LinksReserved;
+  this->Linked = this->Linked == Links::None ? Links::None : Links::Mixed;
+}
+
+//------------------------------------------------------------------------------
+vtkFragmentStorage::Links vtkCellStorage::GetLinks() const
+{
+  return this->Linked;
 }
 
 //------------------------------------------------------------------------------

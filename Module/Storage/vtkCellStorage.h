@@ -41,7 +41,8 @@ public:
   bool Fits(vtkTypeInt64 units, const Rectangle& viewport,
     const vtkTranslucencyCapabilities& capabilities) const override;
   bool ReserveLinks() override;
-  bool HasLinks() const override;
+  void FinishLinks() override;
+  Links GetLinks() const override;
   vtkStorageAccounting::Accesses GetAccesses() const override;
   vtkTypeInt64 GetBytes() const override;
   void Release(bool contextAlive) override;
@@ -141,7 +142,7 @@ private:
   vtkTypeInt64 Units = 0;           // that were needed
   vtkTypeInt64 Fragments = 0;
   vtkTypeInt64 FullestCell = 0; // fragments
-  bool LinksReserved = false;   // in the current tile
+  Links Linked = Links::None;   // in the current tile
 };
 
 #endif

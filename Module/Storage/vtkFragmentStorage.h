@@ -113,10 +113,20 @@ public:
   virtual const char* GetRetrieval() const { return nullptr; }
   virtual std::array<int, 2> BeginRetrieval() { return { { 0, 0 } }; }
 
-  /// Before the order of fragments is changed (Shaders/Storage/SortList.glsl): false if there is no memory for that. From then on, until the
-  /// next tile, shaders that read fragments need links.
+  /// Of storages whose fragments have no links: whether they have got some in this tile, because their order is changed.
+  enum class Links
+  {
+    None = 0,
+    Made = 1,  // the next shader changes the order, for the first time
+    Mixed = 2, // it has been changed, of some
+  };
+
+  /// Before a shader that changes the order of fragments (Shaders/Storage/SortList.glsl): false if there is no memory for that.
   virtual bool ReserveLinks() { return true; }
-  virtual bool HasLinks() const { return false; }
+
+  /// After a shader that may have.
+  virtual void FinishLinks() {}
+  virtual Links GetLinks() const { return Links::None; }
 
   /// Fragments of the tile, after Complete.
   virtual vtkTypeInt64 GetFragments() const = 0;

@@ -35,7 +35,7 @@ void advanceRun(inout Runs runs, int nearest)
   Fragment next = EMPTY_FRAGMENT(BLOCK_EMPTY);
   if (left > 0u)
   {
-    nextFragment(rest, next);
+    next = atSample(loadLinked(rest, rest));
     --left;
   }
   for (int k = 0; k < RUNS; ++k)

@@ -118,6 +118,11 @@ uint linkedNode(uint node)
   return node;
 }
 
+Fragment loadLinked(uint node, out uint next)
+{
+  return loadNode(node, next);
+}
+
 uint firstFragment(ivec2 pixel)
 {
   return headOf(pixel);

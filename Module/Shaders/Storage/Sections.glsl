@@ -14,8 +14,8 @@
 // the old entry for the new one of another section is not possible, since sections are not given back. Who has taken a section, but found a place in
 // somebody else's, leaves its own empty until the next frame: room is lost, no fragment ever. Sections behind the one that is being filled are full.
 //
-// Links. Sorting and volumes change the order of a pixel's fragments: those that have been moved have a link of their own (NODE_LINKS 1), which the
-// cursor's highest bit tells.
+// Links. Sorting and volumes change the order of a pixel's fragments: those that have been moved have a link of their own, which the
+// cursor's highest bit tells. NODE_LINKS is 0 where there are none, 1 where lists are moved that have not been before, 2 where some have been.
 //
 // Needs: SECTION_LENGTH, SECTION_FREE_BITS (the bits of what may be free), OWN_SECTIONS, NODE_LINKS, COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS,
 // FRAGMENT_ORDER, COUNT_ACCESSES.
@@ -185,7 +185,7 @@ uint beforeInSections(uint node)
 Fragment loadNode(uint node, out uint next)
 {
   COUNT_READ();
-#if NODE_LINKS
+#if NODE_LINKS == 2
   uint number = node & ~LINKED;
   next = node != number ? links[number - 1u] : beforeInSections(number);
   return readPlace(number - 1u);
@@ -279,7 +279,7 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 uint firstFragment(ivec2 pixel)
 {
   uint head = headOf(pixel);
-#if NODE_LINKS
+#if NODE_LINKS == 2
   return (head & LINKED) != 0u ? head : lastOf(head);
 #else
   return lastOf(head);
@@ -298,7 +298,7 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
 
 // As many fragments as are read together: a section, where blocks of 8 are whole sections and none has been moved. Those that are not there
 // are empty. Gives the number of those that are.
-#if !NODE_LINKS && (SECTION_LENGTH == 2 || SECTION_LENGTH == 4 || SECTION_LENGTH == 8)
+#if NODE_LINKS < 2 && (SECTION_LENGTH == 2 || SECTION_LENGTH == 4 || SECTION_LENGTH == 8)
 #define READ_GROUP SECTION_LENGTH
 
 uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
@@ -350,6 +350,14 @@ uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
 uint linkedNode(uint node)
 {
   return node | LINKED;
+}
+
+// The same as loadNode, of a node that has been moved.
+Fragment loadLinked(uint node, out uint next)
+{
+  uint number = node & ~LINKED;
+  next = links[number - 1u];
+  return readPlace(number - 1u);
 }
 
 void linkNode(uint node, uint next)

@@ -110,7 +110,7 @@ uint mergeRuns(ivec2 pixel, uint runLength)
       {
         if (b != 0u)
         {
-          loadNode(b, b);
+          loadLinked(b, b);
           ++leftA;
         }
       }
@@ -118,11 +118,11 @@ uint mergeRuns(ivec2 pixel, uint runLength)
     uint leftB = b == 0u ? 0u : runLength;
     uint nextA;
     uint nextB = 0u;
-    Fragment headA = loadNode(a, nextA);
+    Fragment headA = loadLinked(a, nextA);
     Fragment headB = headA;
     if (leftB > 0u)
     {
-      headB = loadNode(b, nextB);
+      headB = loadLinked(b, nextB);
     }
     while (leftA > 0u || leftB > 0u)
     {
@@ -140,7 +140,7 @@ uint mergeRuns(ivec2 pixel, uint runLength)
           Fragment head = EMPTY_FRAGMENT(BLOCK_EMPTY);
           if (left > 0u)
           {
-            head = loadNode(node, next);
+            head = loadLinked(node, next);
           }
           a = takeB ? a : node;
           b = takeB ? node : b;
