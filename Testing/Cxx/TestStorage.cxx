@@ -111,15 +111,15 @@ struct Technique
   std::string Name;
   std::string Technique;
   Settings Options;
-  int AnyOrder; // what drawing from the farthest on changes, at most, in units of 1/255: measured
+  int AnyOrder; // what the order of depth instead of that of drawing changes, at most, in units of 1/255, as measured
 };
 
 const std::vector<Technique> Techniques{
   { "Exact", "exact", {}, 0 },
-  { "Iterative", "exact", { { "resolve", "iterative" } }, 1 },
-  { "Adaptive4", "adaptive", { { "nodes", "4" } }, 255 },
-  { "Adaptive8", "adaptive", { { "nodes", "8" } }, 255 },
-  { "Adaptive16", "adaptive", { { "nodes", "16" } }, 255 },
+  { "Iterative", "exact", { { "resolve", "iterative" } }, 0 },
+  { "Adaptive4", "adaptive", { { "nodes", "4" } }, 55 },
+  { "Adaptive8", "adaptive", { { "nodes", "8" } }, 36 },
+  { "Adaptive16", "adaptive", { { "nodes", "16" } }, 7 },
   { "Fourier", "fourier", {}, 1 },
   { "OpacityShadowMap", "shadowmap", {}, 1 },
 };
@@ -279,6 +279,35 @@ INSTANTIATE_TEST_SUITE_P(Designs, TestStorageOfTechniques,
   {
     return std::get<0>(info.param).Name + std::get<1>(info.param).Name + "Samples" + std::to_string(std::get<2>(info.param));
   });
+
+//------------------------------------------------------------------------------
+using TestStorageOrder = RenderTest;
+
+// What the R-buffer's order does to adaptive transparency is what drawing from the farthest on would do.
+TEST_F(TestStorageOrder, RBuffersFragmentsComeFromTheNearestOn)
+{
+  const AnalyticScene scene = RandomMosaic(150, 100, 61, 60, 0.02, 0.3);
+  View view(scene);
+  const auto byDepth = [](std::vector<Reference::Fragment> fragments)
+  {
+    std::stable_sort(fragments.begin(), fragments.end(),
+      [](const Reference::Fragment& a, const Reference::Fragment& b) { return a.Depth > b.Depth; });
+    return fragments;
+  };
+  for (int nodes : { 4, 8, 16 })
+  {
+    SCOPED_TRACE(nodes);
+    const Compositor composite = AdaptiveCompositor(nodes, Reference::Removal::Underestimate);
+    const Picture expected =
+      scene.RoundedToHalf().Compute([&](const std::vector<Reference::Fragment>& fragments) { return composite(byDepth(fragments)); });
+    const auto pass = New(RBuffer, "adaptive", { { "nodes", std::to_string(nodes) } });
+    view.SetPass(pass);
+    EXPECT_LE(Compare(view.Render(), expected).Largest, 2);
+    const auto lists = New(LinkedList, "adaptive", { { "nodes", std::to_string(nodes) } });
+    view.SetPass(lists);
+    EXPECT_GT(Compare(view.Render(), expected).Largest, 2) << "the order matters";
+  }
+}
 
 //------------------------------------------------------------------------------
 using TestStorageOfPoints = RenderTest;
