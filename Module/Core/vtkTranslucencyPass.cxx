@@ -507,7 +507,7 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
   kept.Statistics->SetFragments(kept.PlanFragments);
   kept.Statistics->SetBytes(
     kept.FrameBlock.GetBytes() + kept.StatisticsBlock.GetBytes() + kept.SampleColors.GetBytes() +
-    this->GetTechniqueBytes());
+    kept.PixelFragments.GetBytes() + this->GetTechniqueBytes());
   kept.Statistics->SetGatherTime(kept.GatherTime);
   kept.Statistics->SetResolveTime(kept.ResolveTime);
   kept.Statistics->SetDeepestPixel(kept.GetResolveStatistics().DeepestPixel);

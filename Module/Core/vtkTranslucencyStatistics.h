@@ -57,7 +57,8 @@ public:
   ///@{
   /**
    * Accesses to the fragment storage, as shaders have counted them if vtkTranslucencyPass::CountAccesses is on; -1 else, and for techniques without one. All
-   * fragments are stored and read once (vtkStorageAccounting says what counts); techniques may read them more often than that.
+   * fragments are stored and read once (vtkStorageAccounting says what counts); techniques may read them more often than that. Volumes' fragments are
+   * inserted behind the R-buffer's passes: stored, but not among its reads and what these access.
    */
   vtkTypeInt64 GetStores() const { return this->Count(this->Accesses.Stores); }
   vtkTypeInt64 GetReads() const { return this->Count(this->Accesses.Reads); }

@@ -179,7 +179,7 @@ bool vtkFragmentListPass::RenderStages(vtkTranslucencyFrame& frame)
   if (this->SectionLengthGiven && !this->SectionLengthWarned && !vtkSectionStorage::SafeDownCast(this->Storage))
   {
     vtkWarningMacro(<< "SectionLength is " << this->SectionLength << ", but " << vtkStorageAccounting::GetName(this->Storage->GetDesign())
-                    << " has no sections: expected StorageDesign TBuffer or MBuffer");
+                    << " has no sections, expected the storage t-buffer or m-buffer");
     this->SectionLengthWarned = true;
   }
   return frame.Gather(this->Storage) && frame.ReserveSampleColors() && this->ResolveLists(frame) &&

@@ -98,6 +98,33 @@ def options_change_picture(first, second):
     return case
 
 
+def storage_changes_nothing(command, folder):
+    """Nor does the length of sections, wherever it is given."""
+    arguments = ["render", "scene:rectangles:count=400", "--size", "200x150"]
+    ways = {
+        "lists.png": ["--technique", "exact"],
+        "flags.png": ["--technique", "exact", "--storage", "t-buffer", "--section-length", "4"],
+        "turned.png": ["--section-length", "4", "--storage", "t-buffer", "--technique", "exact"],
+        "colons.png": ["--technique", "exact:storage=m-buffer:section_length=3"],
+        "both.png": ["--technique", "exact:section_length=64", "--storage", "m-buffer"],
+        "queue.png": ["--technique", "exact", "--storage", "r-buffer", "--memory-limit", "1"],
+    }
+    for name, way in ways.items():
+        succeeds(command, folder, [*arguments, *way, "-o", name])
+    assert len({(folder / name).read_bytes() for name in ways}) == 1
+
+
+def storages_take_other_room(command, folder):
+    """One row a storage, of the same fragments."""
+    storages = ["t-buffer", "r-buffer", "m-buffer:section_length=8"]
+    techniques = ["exact", *("exact:storage=" + storage for storage in storages)]
+    succeeds(command, folder, bench("--techniques", ",".join(techniques), "-o", "times.json"))
+    rows = json.loads((folder / "times.json").read_text())["techniques"][:4]
+    assert [row["technique"] for row in rows] == techniques, rows
+    assert rows[3]["options"] == {"storage": "m-buffer", "section_length": "8"}, rows[3]["options"]
+    assert len({row["fragments"] for row in rows}) == 1 and len({row["mebibytes"] for row in rows}) == 4, rows
+
+
 def scene_sets_size(command, folder):
     succeeds(command, folder, ["render", "--scene", "scene.json", "-o", "scene.png"])
     assert png_size((folder / "scene.png").read_bytes()) == (48, 32)
@@ -340,6 +367,11 @@ CASES = {
     "RenderEveryTechnique": every_technique,
     "RenderSameTwice": same_twice,
     "RenderMemoryLimit": limit_changes_nothing,
+    "RenderStorage": storage_changes_nothing,
+    "RenderSectionLengthOfNone": warns(render("ok.vtp", "-t", "exact", "--section-length", "3"),
+                                       r"^translucency: warning: SectionLength is 3, but linked-list has no sections, expected the storage t-buffer or m-buffer$"),
+    "RenderSectionLengthOfQueue": warns(render("ok.vtp", "-t", "exact", "--storage", "r-buffer", "--section-length", "4"),
+                                        r"^translucency: warning: SectionLength is 4, but r-buffer has no sections, expected"),
     **{f"RenderFrom-{suffix}": writes_picture(["render", f"ok.{suffix}", *SMALL], "a.png", (40, 30)) for suffix in SUFFIXES},
     **{f"RenderTo-{suffix}": writes_picture(["render", "ok.vtp", *SMALL], f"a.{suffix}")
        for suffix in ["png", "exr", "tif", "tiff", "jpg", "jpeg", "PNG"]},
@@ -378,6 +410,7 @@ CASES = {
     "CompareIdentical": compare_identical,
     "CompareTellsWhatAutoChose": compare_tells_what_auto_chose,
     "Bench": bench_writes_json,
+    "BenchStorages": storages_take_other_room,
     "BenchPrintsOnly": bench_prints_only,
     "StorageOfPaper": storage_of_paper,
     "StorageOfTraces": storage_of_traces,
@@ -432,6 +465,17 @@ CASES.update({
     "BadNodesFraction": fails(render("ok.vtp", "--nodes", "2.5"), r"nodes is '2\.5', expected an integer in 1\.\.64"),
     "BadNodesInList": fails(compare("--techniques", "adaptive:nodes=0", "-o", "out"), r"nodes is '0', expected an integer"),
     "BadChoice": fails(render("ok.vtp", "--removal", "best"), r"removal is 'best', expected underestimate, overestimate or mixed"),
+    "BadStorage": fails(render("ok.vtp", "-t", "exact", "--storage", "x-buffer"),
+                        r"storage is 'x-buffer', expected linked-list, t-buffer, r-buffer or m-buffer"),
+    "BadStorageInList": fails(compare("--techniques", "exact:storage=t_buffer", "-o", "out"), r"storage is 't_buffer', expected linked-list, "),
+    "BadStorageOfOther": fails(render("ok.vtp", "-t", "peel", "--storage", "t-buffer"), r"'peel' has no option 'storage', expected one of"),
+    "BadSectionLengthZero": fails(render("ok.vtp", "-t", "exact", "--storage", "t-buffer", "--section-length", "0"),
+                                  r"section_length is '0', expected an integer in 1\.\.64"),
+    "BadSectionLengthMany": fails(render("ok.vtp", "-t", "exact", "--storage", "m-buffer", "--section-length", "10000"),
+                                  r"section_length is '10000', expected an integer in 1\.\.64"),
+    "BadSectionLengthText": fails(render("ok.vtp", "-t", "exact", "--section-length", "abc"), r"section_length is 'abc', expected an integer"),
+    "BadSectionLengthInList": fails(compare("--techniques", "exact:storage=t-buffer:section_length=65", "-o", "out"),
+                                    r"section_length is '65', expected an integer in 1\.\.64"),
     "BadOptionOfOther": fails(render("ok.vtp", "-t", "exact", "--nodes", "8"), r"'exact' has no option 'nodes', expected one of"),
     "BadOptionOfNone": fails(render("ok.vtp", "-t", "blend", "--nodes", "8"), r"'blend' has no option 'nodes', expected none"),
     "BadOptionInList": fails(compare("--techniques", "adaptive:size=3", "-o", "out"), r"'adaptive' has no option 'size', expected one of: nodes"),

@@ -68,6 +68,27 @@ const Situation Situations[] = {
   { "Viewport",
     [](View& view, vtkFragmentListPass*) { view.Renderer->SetViewport(0.25, 0.1, 0.8, 0.7); },
     false },
+  { "TBufferInTiles",
+    [](View&, vtkFragmentListPass* pass)
+    {
+      pass->SetStorageDesign(vtkFragmentListPass::TBuffer);
+      pass->GetStorage()->SetMemoryLimit(1);
+    },
+    false },
+  { "MBufferTimed", // and of other sections from the second frame on
+    [](View&, vtkFragmentListPass* pass)
+    {
+      pass->SetStorageDesign(vtkFragmentListPass::MBuffer);
+      pass->MeasureTimesOn();
+    },
+    false },
+  { "RBufferCounted",
+    [](View&, vtkFragmentListPass* pass)
+    {
+      pass->SetStorageDesign(vtkFragmentListPass::RBuffer);
+      pass->CountAccessesOn();
+    },
+    false },
   { "TooLittleMemory",
     [](View&, vtkFragmentListPass* pass) { pass->GetStorage()->SetMemoryLimit(0.001); }, true },
 };
@@ -99,6 +120,19 @@ void ExpectNothingChanges(View& view, WatchedPass* watched, bool fallsBack)
     }
   }
   EXPECT_GT(watched->Before.size(), 150u);
+}
+
+/// More layers than are resolved in registers.
+AnalyticScene Deep()
+{
+  AnalyticScene scene;
+  Layer layer;
+  for (int i = 1; i <= 300; ++i)
+  {
+    layer.push_back({ 190, 140, 210, 150, i / 65536.0, { { 1, 0, 0.2 } }, 3 / 255.0 });
+  }
+  scene.Translucent = { layer };
+  return scene;
 }
 }
 
@@ -221,5 +255,21 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWithTransmissionColors)
         EXPECT_EQ(TakeMessages().empty(), watched->Pass->KeepsTransmissionColors());
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWhereListsAreLinkedAnew)
+{
+  for (const char* design : { "linked-list", "t-buffer", "r-buffer", "m-buffer" })
+  {
+    SCOPED_TRACE(design);
+    View view(Deep());
+    const auto pass = NewTechnique("exact", { { "storage", design } });
+    vtkNew<WatchedPass> watched;
+    watched->Pass = pass;
+    view.SetTranslucentPass(watched);
+    ExpectNothingChanges(view, watched, false);
+    EXPECT_TRUE(vtkFragmentListPass::SafeDownCast(pass)->GetStorage()->HasLinks());
   }
 }

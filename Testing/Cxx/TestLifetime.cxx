@@ -4,6 +4,7 @@
 
 #include <vtkActor.h>
 #include <vtkAutomaticTransparencyPass.h>
+#include <vtkFragmentStorage.h>
 #include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
@@ -192,6 +193,41 @@ TEST_F(TestLifetimeOfChosen, EndsWithTheChoice)
   }
 }
 
+//------------------------------------------------------------------------------
+class TestLifetimeOfStorage : public TestLifetime
+{
+};
+
+TEST_F(TestLifetimeOfStorage, EndsWithTheDesign)
+{
+  Watched watched(0);
+  View& view = watched.Shown;
+  auto pass = vtkSmartPointer<vtkABufferPass>::New();
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  for (int design : { vtkFragmentListPass::TBuffer, vtkFragmentListPass::RBuffer, vtkFragmentListPass::MBuffer,
+         vtkFragmentListPass::LinkedList })
+  {
+    SCOPED_TRACE(design);
+    const vtkSmartPointer<vtkFragmentStorage> before = pass->GetStorage();
+    EXPECT_GT(before->GetBytes(), 0);
+    pass->SetStorageDesign(design);
+    EXPECT_EQ(before->GetReferenceCount(), 1);
+    EXPECT_EQ(before->GetBytes(), 0);
+    watched.ExpectNoneLeft("after another design");
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      EXPECT_EQ(Compare(view.Render(), drawn).Largest, 0);
+      EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+    }
+  }
+  view.SetPass(nullptr);
+  view.Render();
+  EXPECT_EQ(pass->GetReferenceCount(), 1);
+  pass = nullptr;
+  watched.ExpectNoneLeft("after its end");
+}
+
 namespace
 {
 std::vector<Case> Cases()
@@ -203,7 +239,12 @@ std::vector<Case> Cases()
     // With a choice that holds other objects than the default does, too.
     std::vector<std::array<std::string, 3>> arrangements{ { "adaptive", "memory", "fixed" },
       { "fourier", "memory", "fixed" }, { "sorted", "order", "centroid" }, { "peel", "method", "front-to-back" },
-      { "peel", "method", "bucket-sort" } };
+      { "peel", "method", "bucket-sort" }, { "exact", "storage", "t-buffer" } };
+    if (samples == 0)
+    {
+      arrangements.push_back({ "exact", "storage", "r-buffer" });
+      arrangements.push_back({ "exact", "storage", "m-buffer" });
+    }
     for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
     {
       arrangements.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });
@@ -223,6 +264,13 @@ std::vector<Case> Cases()
       }
     }
   }
+  const auto createCounted = []
+  {
+    const auto pass = NewTechnique("exact", { { "storage", "r-buffer" } });
+    pass->CountAccessesOn();
+    return pass;
+  };
+  cases.push_back({ "exactrbufferCounted", createCounted, 0 });
   return cases;
 }
 }

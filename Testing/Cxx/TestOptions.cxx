@@ -2,6 +2,7 @@
 #include "RenderTest.h"
 
 #include <vtkFragmentStorage.h>
+#include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyOption.h>
 
 #include <cmath>
@@ -67,6 +68,20 @@ BadValue MemoryLimit(double limit, const std::string& name)
     [](auto*, auto* exact) { return exact->GetStorage()->GetMemoryLimit(); },
     [limit](auto*, auto* exact) { exact->GetStorage()->SetMemoryLimit(limit); }, "positive" };
 }
+
+BadValue StorageDesign(int design, const std::string& name)
+{
+  return { "StorageDesign" + name,
+    [](auto*, auto* exact) -> double { return exact->GetStorageDesign(); },
+    [design](auto*, auto* exact) { exact->SetStorageDesign(design); }, "MBuffer (3)" };
+}
+
+BadValue SectionLength(int length, const std::string& name)
+{
+  return { "SectionLength" + name,
+    [](auto*, auto* exact) -> double { return exact->GetSectionLength(); },
+    [length](auto*, auto* exact) { exact->SetSectionLength(length); }, "1 to 64 fragments" };
+}
 }
 
 class TestBadValue
@@ -100,11 +115,32 @@ INSTANTIATE_TEST_SUITE_P(Options, TestBadValue,
     NodeCount(1000, "_1000"), Tolerance(-0.1, "_Negative"), Tolerance(1.1, "_AboveOne"),
     Tolerance(std::numeric_limits<double>::quiet_NaN(), "_NaN"), Show(-1, "_Negative"), Show(3, "_3"), NodeRemoval(-1, "_Negative"), NodeRemoval(3, "_3"),
     Resolve(-1, "_Negative"), Resolve(2, "_2"), ColorFormat(-1, "_Negative"), ColorFormat(2, "_2"),
-    MemoryLimit(-1, "_Negative"), MemoryLimit(std::numeric_limits<double>::quiet_NaN(), "_NaN")),
+    MemoryLimit(-1, "_Negative"), MemoryLimit(std::numeric_limits<double>::quiet_NaN(), "_NaN"),
+    StorageDesign(-1, "_Negative"), StorageDesign(4, "_4"), SectionLength(0, "_0"), SectionLength(-1, "_Negative"),
+    SectionLength(65, "_65"), SectionLength(10000, "_10000")),
   [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 using TestOptions = RenderTest;
+
+namespace
+{
+// Of every technique but VTK's own.
+std::vector<vtkSmartPointer<vtkTranslucencyPass>> NewPasses()
+{
+  std::vector<vtkSmartPointer<vtkTranslucencyPass>> passes;
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(
+      vtkTranslucencyFactory::CreateTechnique(vtkTranslucencyFactory::GetTechniqueName(i)));
+    if (auto* own = vtkTranslucencyPass::SafeDownCast(pass))
+    {
+      passes.emplace_back(own);
+    }
+  }
+  return passes;
+}
+}
 
 TEST_F(TestOptions, TakesTheValuesAtTheEndsOfARange)
 {
@@ -113,6 +149,8 @@ TEST_F(TestOptions, TakesTheValuesAtTheEndsOfARange)
   {
     pass->SetNodeCount(count);
     EXPECT_EQ(pass->GetNodeCount(), count);
+    pass->SetSectionLength(count);
+    EXPECT_EQ(pass->GetSectionLength(), count);
   }
 }
 
@@ -123,24 +161,38 @@ TEST_F(TestOptions, ByKeywordAreTheProperties)
   EXPECT_TRUE(pass->SetOption("nodes", "24"));
   EXPECT_EQ(pass->GetNodeCount(), 24);
   EXPECT_EQ(pass->GetOption("nodes"), "24");
-  for (int i = 0; i < pass->GetNumberOfOptions(); ++i)
+  EXPECT_TRUE(pass->SetOption("section_length", "7"));
+  EXPECT_EQ(pass->GetSectionLength(), 7);
+  EXPECT_TRUE(pass->SetOption("storage", "m-buffer"));
+  EXPECT_EQ(pass->GetStorageDesign(), vtkFragmentListPass::MBuffer);
+  EXPECT_EQ(pass->GetOption("storage"), "m-buffer");
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestOptions, TakeBackTheirOwnText)
+{
+  for (const vtkSmartPointer<vtkTranslucencyPass>& pass : NewPasses())
   {
-    const std::string keyword = pass->GetOptionKeyword(i);
-    EXPECT_FALSE(pass->GetOptionHelp(i).empty()) << keyword;
-    EXPECT_TRUE(pass->SetOption(keyword, pass->GetOption(keyword))) << keyword;
+    for (int i = 0; i < pass->GetNumberOfOptions(); ++i)
+    {
+      const std::string keyword = pass->GetOptionKeyword(i);
+      SCOPED_TRACE(std::string(pass->GetClassName()) + ", " + keyword);
+      EXPECT_FALSE(pass->GetOptionHelp(i).empty());
+      const std::string text = pass->GetOption(keyword);
+      EXPECT_TRUE(pass->SetOption(keyword, text));
+      EXPECT_EQ(pass->GetOption(keyword), text);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
 TEST_F(TestOptions, StartWithTheirDeclaredDefaults)
 {
-  for (const vtkSmartPointer<vtkTranslucencyPass>& pass :
-    std::vector<vtkSmartPointer<vtkTranslucencyPass>>{
-      vtkSmartPointer<vtkABufferPass>::New(), vtkSmartPointer<vtkAdaptiveTransparencyPass>::New() })
+  for (const vtkSmartPointer<vtkTranslucencyPass>& pass : NewPasses())
   {
     for (const vtkTranslucencyOption& option : pass->GetOptions())
     {
-      EXPECT_EQ(option.Get(), option.Default) << option.Name;
+      EXPECT_EQ(option.Get(), option.Default) << pass->GetClassName() << ", " << option.Name;
     }
   }
 }
@@ -163,6 +215,10 @@ TEST_F(TestOptions, RefuseWhatTheyDoNotTake)
     { "nodes", "nan", "nodes is 'nan', expected" },
     { "memory_limit", "-1", "memory_limit is '-1', expected a number" },
     { "color_format", "rgb565", "color_format is 'rgb565', expected half-float or rgba8" },
+    { "storage", "x-buffer", "storage is 'x-buffer', expected linked-list, t-buffer, r-buffer or m-buffer" },
+    { "section_length", "0", "section_length is '0', expected an integer in 1..64" },
+    { "section_length", "10000", "section_length is '10000', expected an integer in 1..64" },
+    { "section_length", "long", "section_length is 'long', expected" },
     { "node", "8", "no option 'node', expected one of" },
     { "", "", "no option '', expected one of" },
   };
@@ -174,4 +230,6 @@ TEST_F(TestOptions, RefuseWhatTheyDoNotTake)
     EXPECT_NE(messages[0].find(attempt.Named), std::string::npos) << messages[0];
   }
   EXPECT_EQ(pass->GetNodeCount(), 16);
+  EXPECT_EQ(pass->GetStorageDesign(), vtkFragmentListPass::LinkedList);
+  EXPECT_EQ(pass->GetSectionLength(), 4);
 }

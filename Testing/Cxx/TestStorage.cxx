@@ -474,7 +474,7 @@ TEST_F(TestStorageProperties, ASectionLengthWithoutSectionsIsToldOnce)
   view.Render();
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("SectionLength is 7, but linked-list has no sections"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find("SectionLength is 7, but linked-list has no sections, expected the storage t-buffer or m-buffer"), std::string::npos) << messages[0];
   view.Render();
   EXPECT_TRUE(TakeMessages().empty());
 }

@@ -4,6 +4,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellStorage.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
@@ -279,6 +280,106 @@ INSTANTIATE_TEST_SUITE_P(Techniques, TestVolumes,
   testing::Values(Technique{ "exact", New<vtkABufferPass> },
     Technique{ "adaptive", New<vtkAdaptiveTransparencyPass> }),
   [](const auto& info) { return info.param.Name; });
+
+namespace
+{
+struct Storage
+{
+  const char* Name;
+  Settings Options;
+  int Passes; // over the geometry in the first frame, at least: gathering may have to grow the storage, and then inserting
+};
+
+void PrintTo(const Storage& storage, std::ostream* os)
+{
+  *os << storage.Name;
+}
+
+class TestVolumesInStorage
+  : public RenderTest
+  , public testing::WithParamInterface<std::tuple<Storage, const char*, int>>
+{
+protected:
+  static vtkSmartPointer<vtkFragmentListPass> NewPass(const Settings& settings)
+  {
+    const auto pass = NewTechnique(std::get<1>(GetParam()), settings);
+    return vtkFragmentListPass::SafeDownCast(pass);
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+// What a ray gathers is inserted into lists that the storage has already sorted.
+TEST_P(TestVolumesInStorage, AreAsInLinkedLists)
+{
+  const auto& [storage, technique, samples] = GetParam();
+  VolumeView view({ { 0.9, 0.7, 2.4 } }, false, samples);
+  AddOpaque(view.Renderer);
+  AddSheets(view.Renderer);
+  const auto linked = NewPass({});
+  view.SetPass(linked);
+  const Picture sheets = view.Render();
+  const vtkTypeInt64 stored = linked->GetStatistics()->GetFragments();
+  view.Renderer->AddViewProp(NewCloud(NewRayCaster(0.01)));
+  const Picture expected = view.Render();
+  EXPECT_GT(Compare(sheets, expected).RootMeanSquare, 0.03) << "the volume is seen";
+  const vtkTypeInt64 fragments = linked->GetStatistics()->GetFragments();
+  EXPECT_GT(fragments, stored) << "the volume's are inserted";
+
+  const auto pass = NewPass(storage.Options);
+  vtkCellStorage::SafeDownCast(pass->GetStorage())->SetInitialFragments(16);
+  view.SetPass(pass);
+  for (double limit : { 0.0, 0.0, 0.0, 0.3, 0.3 })
+  {
+    SCOPED_TRACE(limit);
+    const bool first = pass->GetStatistics()->GetFragments() == 0;
+    pass->GetStorage()->SetMemoryLimit(limit);
+    EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+    EXPECT_EQ(pass->GetStatistics()->GetFragments(), fragments);
+    EXPECT_EQ(pass->GetStatistics()->GetTiles() > 1, limit > 0);
+    if (first)
+    {
+      EXPECT_GE(pass->GetStatistics()->GetGeometryPasses(), storage.Passes);
+    }
+  }
+  pass->CountAccessesOn();
+  EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+  EXPECT_EQ(pass->GetStatistics()->GetFragments(), fragments);
+  EXPECT_EQ(pass->GetStatistics()->GetStores(), fragments);
+  if (pass->GetStorageDesign() != vtkFragmentListPass::RBuffer) // which reads what is in its queue in every pass
+  {
+    EXPECT_EQ(pass->GetStatistics()->GetReads(), fragments);
+  }
+}
+
+namespace
+{
+const Storage TBuffer{ "TBuffer", { { "storage", "t-buffer" } }, 3 };
+const Storage MBuffer{ "MBuffer", { { "storage", "m-buffer" } }, 2 };
+const Storage RBuffer{ "RBuffer", { { "storage", "r-buffer" } }, 3 };
+
+Storage Sections(const char* name, const char* design, const char* length, int passes)
+{
+  return { name, { { "storage", design }, { "section_length", length } }, passes };
+}
+
+std::string NameOf(const testing::TestParamInfo<std::tuple<Storage, const char*, int>>& info)
+{
+  const auto& [storage, technique, samples] = info.param;
+  return storage.Name + ("_" + std::string(technique)) + "Samples" + std::to_string(samples);
+}
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, TestVolumesInStorage,
+  testing::Combine(testing::Values(TBuffer, MBuffer, RBuffer), testing::Values("exact", "adaptive"), testing::Values(0, 4)), NameOf);
+
+// Inserted fragments find room in the sections that gathering has to spare, or not.
+INSTANTIATE_TEST_SUITE_P(SectionLengths, TestVolumesInStorage,
+  testing::Combine(testing::Values(Sections("T1", "t-buffer", "1", 3), Sections("T64", "t-buffer", "64", 2),
+                     Sections("M1", "m-buffer", "1", 3), Sections("M64", "m-buffer", "64", 2)),
+    testing::Values("exact"), testing::Values(0)),
+  NameOf);
 
 namespace
 {

@@ -8,7 +8,7 @@ import unittest
 
 import vtkmodules.vtkRenderingOpenGL2  # the classes that draw
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 import vtktranslucency
@@ -26,6 +26,34 @@ def translucent_scene():
         actor.SetMapper(mapper)
         actor.GetProperty().SetOpacity(0.3)
         renderer.AddActor(actor)
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(0)
+    window.SetSize(100, 100)
+    window.AddRenderer(renderer)
+    return window, renderer
+
+
+def two_planes():
+    """A window of 100 x 100 pixels with two planes of 50 x 50, which overlap in 20 x 20."""
+    renderer = vtkRenderer()
+    for corner in (10, 40):
+        plane = vtkPlaneSource()
+        plane.SetOrigin(corner, corner, corner / 100)
+        plane.SetPoint1(corner + 50, corner, corner / 100)
+        plane.SetPoint2(corner, corner + 50, corner / 100)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(plane.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetOpacity(0.3)
+        renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(50)
+    camera.SetPosition(50, 50, 2)
+    camera.SetFocalPoint(50, 50, 0)
+    camera.SetClippingRange(1, 3)
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
@@ -74,6 +102,12 @@ class TestEnable(unittest.TestCase):
         self.assertEqual(technique_pass.GetStorage().GetMemoryLimit(), 12.5)
         self.assertEqual(technique_pass.GetOption("removal"), "mixed")
 
+    def test_storage_and_its_sections_in_any_order(self):
+        for options in ({"storage": "t-buffer", "section_length": 2}, {"section_length": 2, "storage": "t-buffer"}):
+            technique_pass = vtktranslucency.enable(vtkRenderer(), "exact", **options)
+            self.assertEqual(technique_pass.GetStorageDesign(), technique_pass.TBuffer)
+            self.assertEqual(technique_pass.GetStorage().GetSectionLength(), 2)
+
     def test_takes_what_has_a_renderer(self):
         renderer = vtkRenderer()
         technique_pass = vtktranslucency.enable(HasRenderer(renderer), "exact")
@@ -114,6 +148,16 @@ class TestBadInput(unittest.TestCase):
             self.check(vtkRenderer(), "adaptive", {"nodes": value}, "^nodes is '.*', expected an integer in 1..64$")
         self.check(vtkRenderer(), "adaptive", {"removal": "none"}, "^removal is 'none', expected underestimate, ")
         self.check(vtkRenderer(), "exact", {"memory_limit": -1}, "^memory_limit is '-1', expected a number in ")
+
+    def test_storage(self):
+        self.check(
+            vtkRenderer(), "exact", {"storage": "x-buffer"},
+            "^storage is 'x-buffer', expected linked-list, t-buffer, r-buffer or m-buffer$")
+        for value in (0, -1, 65, 10000, 2.5, "long", None):
+            for storage in ("linked-list", "t-buffer", "m-buffer"):
+                self.check(
+                    vtkRenderer(), "exact", {"storage": storage, "section_length": value},
+                    "^section_length is '.*', expected an integer in 1..64$")
 
     def test_good_options_before_a_bad_one_change_nothing(self):
         renderer = vtkRenderer()
@@ -182,6 +226,30 @@ class TestStatistics(unittest.TestCase):
             self.assertGreater(statistics.GetFragments(), 1000)
             self.assertGreaterEqual(statistics.GetBytes(), 16 * statistics.GetFragments())
             self.assertEqual(statistics.GetTiles(), 1)
+
+    def test_accesses_to_the_storage(self):
+        for technique in ("exact", "adaptive"):
+            window, renderer = two_planes()
+            technique_pass = vtktranslucency.enable(renderer, technique, storage="t-buffer", section_length=2)
+            statistics = technique_pass.GetStatistics()
+            window.Render()
+            self.assertEqual(statistics.GetAccesses(), -1)
+            bytes_before = statistics.GetBytes()
+            technique_pass.CountAccessesOn()
+            window.Render()
+            overlap, pixels, fragments = 20 * 20, 2 * 50 * 50 - 20 * 20, 2 * 50 * 50
+            self.assertEqual(statistics.GetFragments(), fragments)
+            self.assertEqual(statistics.GetStores(), fragments)
+            self.assertEqual(statistics.GetReads(), fragments)
+            self.assertEqual(statistics.GetTableAccesses(), pixels)
+            self.assertEqual(statistics.GetSecondDepthAccesses(), 0)
+            self.assertEqual(statistics.GetFrameBufferAccesses(), 0)
+            self.assertEqual(statistics.GetAccesses(), 2 * fragments + pixels)
+            self.assertEqual([statistics.GetPixelsHolding(count) for count in (1, 2, 3)], [pixels - overlap, overlap, 0])
+            self.assertEqual(statistics.GetDeepestPixel(), 2)
+            self.assertEqual(statistics.GetSectionLength(), 2)
+            self.assertGreater(statistics.GetPackedBytes(), 0)
+            self.assertGreaterEqual(statistics.GetBytes(), bytes_before + 4 * 100 * 100)  # each pixel's count
 
 
 if __name__ == "__main__":

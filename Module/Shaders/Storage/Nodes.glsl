@@ -139,6 +139,7 @@ void insertFragment(ivec2 pixel, uint after, Fragment fragment)
 {
   uint counter = counterOf(pixel);
   uint index = takeUnit(counter);
+  COUNT_STORE(counter);
   if (index < cells[counter + CELL_END])
   {
     uint next = heads[headIndex(pixel)];

@@ -377,6 +377,7 @@ void insertFragment(ivec2 pixel, uint after, Fragment fragment)
   uint counter = counterOf(pixel);
   uint inserted = atomicAdd(cells[counter + CELL_INSERTED], 1u);
   atomicAdd(cells[counter + CELL_FRAGMENTS], 1u);
+  COUNT_STORE(counter);
   if (inserted < (cells[counter + CELL_END] - cells[counter + CELL_NEXT]) * uint(SECTION_LENGTH))
   {
     uint node = (cells[counter + CELL_END] + ownSections()) * uint(SECTION_LENGTH) - inserted;
