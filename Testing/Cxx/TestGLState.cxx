@@ -270,6 +270,6 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWhereListsAreLinkedAnew)
     watched->Pass = pass;
     view.SetTranslucentPass(watched);
     ExpectNothingChanges(view, watched, false);
-    EXPECT_TRUE(vtkFragmentListPass::SafeDownCast(pass)->GetStorage()->HasLinks());
+    EXPECT_TRUE(vtkFragmentListPass::SafeDownCast(pass)->GetStorage()->GetLinks() != vtkFragmentStorage::Links::None);
   }
 }
