@@ -61,16 +61,13 @@
 #endif
 #define LINKED (1u << uint(ENTRY_BITS - 1))
 
-// Words are read one by one or, where a section is a whole number of vectors, four at a time.
 #define SECTION_WORDS (SECTION_LENGTH * PLACE_WORDS)
 layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer Places
 {
-#if SECTION_WORDS % 4 == 0
+#if PLACE_WORDS == 4
   uvec4 places[];
-#define WORD_OF(word) places[(word) >> 2u][(word) & 3u]
 #else
-  uint places[];
-#define WORD_OF(word) places[word]
+  uint places[]; // words: fragments of a section are written by several invocations, and a vector may hold some of two
 #endif
 };
 
@@ -102,22 +99,22 @@ uint fragmentsOfCell(uint counter)
 
 void writePlace(uint place, Fragment fragment)
 {
-  uint word = place * uint(PLACE_WORDS);
 #if PLACE_WORDS == 4 && SAMPLES > 1
   places[place] = uvec4(floatBitsToUint(fragment.depth), fragment.color.xy, fragment.coverage);
 #elif PLACE_WORDS == 4
   places[place] = uvec4(floatBitsToUint(fragment.depth), fragment.color);
 #else
-  WORD_OF(word) = floatBitsToUint(fragment.depth);
-  WORD_OF(word + 1u) = fragment.color.x;
+  uint word = place * uint(PLACE_WORDS);
+  places[word] = floatBitsToUint(fragment.depth);
+  places[word + 1u] = fragment.color.x;
 #if COLOR_WORDS > 1
-  WORD_OF(word + 2u) = fragment.color.y;
+  places[word + 2u] = fragment.color.y;
 #endif
 #if COLOR_WORDS > 2
-  WORD_OF(word + 3u) = fragment.color.z;
+  places[word + 3u] = fragment.color.z;
 #endif
 #if SAMPLES > 1
-  WORD_OF(word + uint(PLACE_WORDS - 1)) = fragment.coverage;
+  places[word + uint(PLACE_WORDS - 1)] = fragment.coverage;
 #endif
 #endif
 }
@@ -145,7 +142,7 @@ Fragment readPlace(uint place)
   return FRAGMENT_OF(WORD_OF_VECTOR);
 #else
   uint first = place * uint(PLACE_WORDS);
-#define WORD_OF_PLACE(index) WORD_OF(first + uint(index))
+#define WORD_OF_PLACE(index) places[first + uint(index)]
   return FRAGMENT_OF(WORD_OF_PLACE);
 #endif
 }
@@ -301,6 +298,16 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
 #if NODE_LINKS < 2 && (SECTION_LENGTH == 2 || SECTION_LENGTH == 4 || SECTION_LENGTH == 8)
 #define READ_GROUP SECTION_LENGTH
 
+#if PLACE_WORDS == 4
+#define SECTION_VECTORS places
+#elif SECTION_WORDS % 4 == 0
+#define SECTION_VECTORS placeVectors
+layout(std430, binding = STORAGE_BINDING_FRAGMENTS) readonly buffer PlaceVectors
+{
+  uvec4 placeVectors[]; // the same, four words at a time
+};
+#endif
+
 uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
 {
   for (int i = 0; i < READ_GROUP; ++i)
@@ -313,10 +320,10 @@ uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
     uint section = (cursor - 1u) / uint(SECTION_LENGTH);
     count = cursor - section * uint(SECTION_LENGTH);
     uint words[SECTION_WORDS];
-#if SECTION_WORDS % 4 == 0
+#ifdef SECTION_VECTORS
     for (int i = 0; i < SECTION_WORDS; i += 4)
     {
-      uvec4 four = places[section * uint(SECTION_WORDS / 4) + uint(i / 4)];
+      uvec4 four = SECTION_VECTORS[section * uint(SECTION_WORDS / 4) + uint(i / 4)];
       words[i] = four.x;
       words[i + 1] = four.y;
       words[i + 2] = four.z;
