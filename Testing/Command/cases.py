@@ -189,7 +189,7 @@ def transmission_of_scene(command, folder):
 ROW_KEYS = {
     "technique", "name", "options", "help", "milliseconds", "ratio_to_blend", "gather_milliseconds",
     "resolve_milliseconds", "fragments", "deepest_pixel", "mebibytes", "tiles", "geometry_passes", "screen_passes",
-    "shader_builds", "transmittances", "chosen", "reason", "fallback"}
+    "shader_builds", "transmittances", "chosen", "reason", "fallback", "section_length", "packed_mebibytes", "accesses"}
 DIFFERENCE_KEYS = {"rmse", "psnr", "largest_difference", "picture", "difference_picture"}
 REPORT_KEYS = {"kind", "title", "inputs", "size", "samples", "driver", "actors", "triangles", "frames", "warmup", "techniques"}
 
@@ -198,6 +198,13 @@ def check_row(row):
     times = row["milliseconds"]
     assert 0 < times["lower_quartile"] <= times["median"] <= times["upper_quartile"]
     assert row["ratio_to_blend"] > 0
+    keeps = row["name"] in ("exact", "adaptive")
+    assert (row["accesses"] is not None) == (row["packed_mebibytes"] is not None) == (row["section_length"] is not None) == keeps, row
+    if keeps:
+        counts = row["accesses"]
+        assert counts["stores"] == counts["reads"] == row["fragments"] and 0 < counts["table"] <= row["fragments"], row
+        assert counts["total"] == 2 * row["fragments"] + counts["table"], row
+        assert row["packed_mebibytes"] > 0 and row["section_length"] == 1, row
     if row["name"] in ("exact", "adaptive"):
         assert row["fragments"] > 0 and row["deepest_pixel"] >= 2 and row["mebibytes"] > 0
         assert row["gather_milliseconds"] >= 0 and row["resolve_milliseconds"] >= 0
