@@ -743,18 +743,17 @@ bool vtkTranslucencyFrame::Retrieve()
   kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(state);
+  if (!this->PrepareProgram("Common/FullScreen.glsl", file, {}))
+  {
+    return false;
+  }
+  this->UseTile();
+  state->vtkglViewport(this->Tile[0], this->Tile[1], cells[0], cells[1]);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_MULTISAMPLE);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (bool any = true; any;)
   {
-    vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, {});
-    if (!program)
-    {
-      return false;
-    }
-    this->UseTile();
-    state->vtkglViewport(this->Tile[0], this->Tile[1], cells[0], cells[1]);
-    state->vtkglDisable(GL_DEPTH_TEST);
-    state->vtkglDisable(GL_MULTISAMPLE);
-    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     any = AnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);

@@ -6,7 +6,6 @@
 #define LinkedList_glsl
 #define READS_COUNT 1
 #define TABLE_COUNTS 1
-#include "Common/MergeSamples.glsl"
 #include "Storage/Nodes.glsl"
 
 // Where fragments of a pixel are drawn in order, nobody else is at the pixel's head: a plain exchange, which takes less time.
@@ -26,15 +25,9 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 {
 #if MERGES_SAMPLES
   uint last = heads[headIndex(pixel)];
-  if (last != 0u)
+  if (mergeIntoNode(last, fragment, depthExtent))
   {
-    uint next;
-    Fragment stored = loadNode(last, next);
-    if (mayMerge(stored, fragment, depthExtent))
-    {
-      writeNode(last - 1u, next, mergeFragments(stored, fragment));
-      return;
-    }
+    return;
   }
 #endif
   uint counter = counterOf(pixel);

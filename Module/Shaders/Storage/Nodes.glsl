@@ -3,11 +3,12 @@
 // Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node in 24 bits (0: none),
 // so that the coverage finds room beside it.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, COUNT_ACCESSES.
-// Gives: writeNode, and of what Shaders/README.md asks of a storage all but storeFragment.
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES.
+// Gives: writeNode, mergeIntoNode, and of what Shaders/README.md asks of a storage all but storeFragment.
 #ifndef Nodes_glsl
 #define Nodes_glsl
 #include "Common/Fragment.glsl"
+#include "Common/MergeSamples.glsl"
 #include "Storage/Heads.glsl"
 
 // A node is next, depth, and the words of the colour that are in use.
@@ -97,6 +98,24 @@ Fragment loadNode(uint node, out uint next)
   next = unpackNext(node, words.x);
   return Fragment(uintBitsToFloat(words.y), PackedColor(uvec3(words.zw, last)), unpackCoverage(words.x));
 }
+
+#if MERGES_SAMPLES
+// Whether a fragment has joined the one that was stored last in its pixel; 0 if there is none.
+bool mergeIntoNode(uint last, Fragment fragment, float depthExtent)
+{
+  if (last != 0u)
+  {
+    uint next;
+    Fragment stored = loadNode(last, next);
+    if (mayMerge(stored, fragment, depthExtent))
+    {
+      writeNode(last - 1u, next, mergeFragments(stored, fragment));
+      return true;
+    }
+  }
+  return false;
+}
+#endif
 
 void linkNode(uint node, uint next)
 {

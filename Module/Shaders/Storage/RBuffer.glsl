@@ -9,7 +9,6 @@
 #define RBuffer_glsl
 #define READS_COUNT 0 // of its lists: Storage/Retrieve.glsl has counted
 #define TABLE_COUNTS 0
-#include "Common/MergeSamples.glsl"
 #include "Storage/Nodes.glsl"
 
 layout(std430, binding = STORAGE_BINDING_NEXT) buffer QueuePixels
@@ -28,15 +27,9 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
   uint at = headIndex(pixel);
 #if MERGES_SAMPLES
   uint last = heads[at]; // until lists are made the one drawn last
-  if (last != 0u)
+  if (mergeIntoNode(last, fragment, depthExtent))
   {
-    uint next;
-    Fragment stored = loadNode(last, next);
-    if (mayMerge(stored, fragment, depthExtent))
-    {
-      writeNode(last - 1u, next, mergeFragments(stored, fragment));
-      return;
-    }
+    return;
   }
 #endif
   uint counter = counterOf(pixel);
