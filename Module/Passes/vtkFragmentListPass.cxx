@@ -16,7 +16,10 @@ namespace
 using Design = vtkStorageAccounting::Design;
 
 // In the order of StorageDesignType.
-const Design Designs[] = { Design::LinkedList, Design::TBuffer, Design::RBuffer, Design::MBuffer };
+const std::vector<Design>& Designs()
+{
+  return vtkStorageAccounting::GetDesigns();
+}
 
 vtkSmartPointer<vtkFragmentStorage> NewStorage(Design design)
 {
@@ -88,7 +91,7 @@ void vtkFragmentListPass::SetStorageDesign(int design)
   }
   if (this->GetStorageDesign() != design)
   {
-    const auto storage = NewStorage(Designs[design]);
+    const auto storage = NewStorage(Designs().at(static_cast<std::size_t>(design)));
     storage->SetColorFormat(this->Storage->GetColorFormat());
     storage->SetMemoryLimit(this->Storage->GetMemoryLimit());
     this->SetStorage(storage);
@@ -99,7 +102,7 @@ void vtkFragmentListPass::SetStorageDesign(int design)
 //------------------------------------------------------------------------------
 int vtkFragmentListPass::GetStorageDesign()
 {
-  return static_cast<int>(std::find(std::begin(Designs), std::end(Designs), this->Storage->GetDesign()) - std::begin(Designs));
+  return static_cast<int>(std::find(Designs().begin(), Designs().end(), this->Storage->GetDesign()) - Designs().begin());
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +141,7 @@ std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
     "where fragments lie until they are resolved: the picture is the same",
     [this] { return this->GetStorageDesign(); },
     [this](double value) { this->SetStorageDesign(static_cast<int>(value)); } };
-  for (Design choice : Designs)
+  for (Design choice : Designs())
   {
     design.Choices.push_back(vtkStorageAccounting::GetName(choice));
   }
