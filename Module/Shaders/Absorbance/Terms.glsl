@@ -24,11 +24,13 @@
 
 #define LEAST_TRANSMITTANCE (1.0f / 1024.0f)
 
-// Of a depth. What is not in use of the last vector is 0.
+// Of a depth. What is not in use of the last vector is 0. own is the scalar product of the two: how much of what is added at this depth
+// seems to lie in front of it.
 struct Basis
 {
   vec4 density[TERM_VECTORS];
   vec4 integral[TERM_VECTORS];
+  float own;
 };
 
 // Four sums of each channel, what a fragment adds to them, and the scalar product of each channel's with four of a basis.
@@ -90,8 +92,8 @@ void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
 // vis at the depth of a fragment that has added this absorbance.
 Channels visibilityOf(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
 {
-  Channels inFront = Channels(0.0f);
-#define ADD_IN_FRONT(i) inFront += integrate(terms.sums[i] - spread(basis.density[i], absorbance), basis.integral[i]);
+  Channels inFront = -basis.own * absorbance;
+#define ADD_IN_FRONT(i) inFront += integrate(terms.sums[i], basis.integral[i]);
   EACH_VECTOR(ADD_IN_FRONT)
   return exp(-max(inFront, 0.0f)); // a truncated series may fall below 0
 }

@@ -23,12 +23,6 @@
 #define FOURIER_MARGIN (0.5f / float(FOURIER_COEFFICIENTS + 1))
 #define FOURIER_PI 3.14159265358979f
 
-// Angles are given by cosine and sine.
-vec2 addAngles(vec2 a, vec2 b)
-{
-  return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
 // Cosine and sine of pi * x, for x from 0 to 1: -sin and cos of pi * (x - 1/2), by their Taylor polynomials of degree 11 and 12, off by less
 // than 1e-7. Drivers without an instruction for it take some 60 steps instead of these, and a square root.
 vec2 halfAngle(float x)
@@ -41,26 +35,28 @@ vec2 halfAngle(float x)
   return vec2(-sine, cosine);
 }
 
-// What a pair of terms weighs in the integral, from cosine and sine of k times the angle.
-vec2 integralOf(vec2 wave, int k)
-{
-  return vec2(wave.y, 1.0f - wave.x) / (FOURIER_PI * float(k));
-}
-
-// A vector holds two pairs of cosine and sine. Behind the last pair is the mean.
+// A vector holds the cosine and sine of k times the angle, and of k + 1 times. Those of the next one follow from the two before
+// (Chebyshev): cos((k + 2) a) = 2 cos(2 a) cos(k a) - cos((k - 2) a), and the same for sines. What a pair weighs of itself is the sum of
+// cos sin and (1 - cos) sin, a sine. Behind the last pair is the mean.
 void basisAt(float depth, OUT(Basis) basis)
 {
   float x = mix(FOURIER_MARGIN, 1.0f - FOURIER_MARGIN, depth);
   vec2 halfway = halfAngle(x);
-  vec2 once = addAngles(halfway, halfway);
-  vec2 twice = addAngles(once, once);
-  vec2 odd = once;
-  vec2 even = twice;
+  vec2 once = vec2(2.0f * halfway.x * halfway.x - 1.0f, 2.0f * halfway.x * halfway.y);
+  vec2 twice = vec2(2.0f * once.x * once.x - 1.0f, 2.0f * once.x * once.y);
+  vec4 before = vec4(once.x, -once.y, 1.0f, 0.0f);
+  vec4 waves = vec4(once, twice);
+  vec4 next;
+  basis.own = x;
 #define SET_PAIRS(i) \
-  basis.density[i] = vec4(odd, even); \
-  basis.integral[i] = vec4(integralOf(odd, 2 * i + 1), integralOf(even, 2 * i + 2)); \
-  odd = addAngles(odd, twice); \
-  even = addAngles(even, twice);
+  basis.density[i] = waves; \
+  basis.integral[i] = vec4(waves.y, 1.0f - waves.x, waves.w, 1.0f - waves.z) * \
+    vec4(vec2(1.0f / (FOURIER_PI * float(2 * i + 1))), vec2(1.0f / (FOURIER_PI * float(2 * i + 2)))); \
+  basis.own += 2 * i + 1 <= FOURIER_COEFFICIENTS ? basis.integral[i].x : 0.0f; \
+  basis.own += 2 * i + 2 <= FOURIER_COEFFICIENTS ? basis.integral[i].z : 0.0f; \
+  next = 2.0f * twice.x * waves - before; \
+  before = waves; \
+  waves = next;
   EACH_VECTOR(SET_PAIRS)
 #if FOURIER_COEFFICIENTS % 2 == 0
   basis.density[TERM_VECTORS - 1] = vec4(1.0f, 0.0f, 0.0f, 0.0f);

@@ -24,6 +24,7 @@ void basisAt(float depth, OUT(Basis) basis)
   basis.density[i] = vec4(equal(first + float(4 * i), vec4(slice))); \
   basis.integral[i] = clamp(vec4(x) - (first + float(4 * i)), 0.0f, 1.0f);
   EACH_VECTOR(SET_SLICES)
+  basis.own = x - slice;
 }
 
 #endif
