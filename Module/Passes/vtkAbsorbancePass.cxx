@@ -64,9 +64,8 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
       [this] { return this->GetAlphaCorrection() ? 1 : 0; },
       [this](double value) { this->SetAlphaCorrection(value != 0); } }
   };
-  for (vtkTranslucencyOption option : this->Superclass::GetOptions())
+  for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
   {
-    option.Help += "; used by memory variable only";
     options.push_back(option);
   }
   return options;

@@ -39,7 +39,42 @@ vtkTranslucencyOption vtkVisibilityFunctionPass::GetMemoryOption()
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkTranslucencyOption> vtkVisibilityFunctionPass::GetOptions()
+{
+  std::vector<vtkTranslucencyOption> options = this->Superclass::GetOptions();
+  for (vtkTranslucencyOption& option : options)
+  {
+    option.Help += "; used by memory variable only";
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkVisibilityFunctionPass::WarnOfUnusedOptions()
+{
+  std::string unused;
+  for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
+  {
+    const double value = option.Get();
+    if (value != option.Default)
+    {
+      unused += (unused.empty() ? "" : ", ") + option.Name + " is " + option.Format(value);
+    }
+  }
+  if (!unused.empty() && unused != this->UnusedOptions)
+  {
+    vtkWarningMacro(<< unused << ", but Memory is Fixed (1), which keeps no fragments: expected Variable (0), or the default");
+  }
+  this->UnusedOptions = unused;
+}
+
+//------------------------------------------------------------------------------
 bool vtkVisibilityFunctionPass::RenderStages(vtkTranslucencyFrame& frame)
 {
-  return this->Memory == Fixed ? this->RenderFixed(frame) : this->Superclass::RenderStages(frame);
+  if (this->Memory == Variable)
+  {
+    return this->Superclass::RenderStages(frame);
+  }
+  this->WarnOfUnusedOptions();
+  return this->RenderFixed(frame);
 }

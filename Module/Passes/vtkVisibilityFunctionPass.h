@@ -11,6 +11,9 @@
 
 #include "vtkFragmentListPass.h"
 
+#include <string>
+#include <vector>
+
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkVisibilityFunctionPass : public vtkFragmentListPass
 {
 public:
@@ -26,12 +29,14 @@ public:
   ///@{
   /**
    * Variable (the default): all fragments are kept, in the storage, and resolved in the end. Fixed: nothing is kept of a fragment but what it
-   * does to the functions and the colours, and the geometry is drawn twice or more often. What the other one holds is released. Another value is
-   * an error and changes nothing.
+   * does to the functions and the colours, and the geometry is drawn twice or more often: options of the storage then do nothing, and drawing
+   * warns of those that are not at their defaults. What the other one holds is released. Another value is an error and changes nothing.
    */
   virtual void SetMemory(int memory);
   vtkGetMacro(Memory, int);
   ///@}
+
+  std::vector<vtkTranslucencyOption> GetOptions() override;
 
 protected:
   vtkVisibilityFunctionPass() = default;
@@ -55,6 +60,10 @@ protected:
 private:
   vtkVisibilityFunctionPass(const vtkVisibilityFunctionPass&) = delete;
   void operator=(const vtkVisibilityFunctionPass&) = delete;
+
+  void WarnOfUnusedOptions();
+
+  std::string UnusedOptions; // those that were warned of
 };
 
 #endif

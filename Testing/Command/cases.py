@@ -379,6 +379,9 @@ CASES = {
                                        r"^translucency: warning: SectionLength is 3, but linked-list has no sections, expected the storage t-buffer or m-buffer$"),
     "RenderSectionLengthOfQueue": warns(render("ok.vtp", "-t", "exact", "--storage", "r-buffer", "--section-length", "4"),
                                         r"^translucency: warning: SectionLength is 4, but r-buffer has no sections, expected"),
+    "RenderStorageOfFixedMemory": warns(render("ok.vtp", "-t", "fourier", "--memory", "fixed", "--storage", "t-buffer", "--color-format", "rgba8"),
+                                        r"^translucency: warning: StorageDesign is t-buffer, ColorFormat is rgba8, but Memory is Fixed \(1\), which keeps no "
+                                        r"fragments: expected Variable \(0\), or the default$"),
     **{f"RenderFrom-{suffix}": writes_picture(["render", f"ok.{suffix}", *SMALL], "a.png", (40, 30)) for suffix in SUFFIXES},
     **{f"RenderTo-{suffix}": writes_picture(["render", "ok.vtp", *SMALL], f"a.{suffix}")
        for suffix in ["png", "exr", "tif", "tiff", "jpg", "jpeg", "PNG"]},

@@ -5,6 +5,7 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkCellStorage.h>
+#include <vtkFourierOpacityPass.h>
 #include <vtkFragmentListPass.h>
 #include <vtkMBufferStorage.h>
 #include <vtkPointData.h>
@@ -482,6 +483,28 @@ TEST_F(TestStorageProperties, AnotherDesignKeepsTheOthersSettings)
   EXPECT_EQ(pass->GetStorage()->GetMemoryLimit(), 12);
   EXPECT_EQ(pass->GetStorage()->GetColorFormat(), vtkFragmentStorage::RGBA8);
   EXPECT_EQ(vtkTBufferStorage::SafeDownCast(pass->GetStorage())->GetSectionLength(), 7);
+}
+
+TEST_F(TestStorageProperties, WhatFixedMemoryDoesNotUseIsToldOnce)
+{
+  const AnalyticScene scene = RandomLayers(40, 30, 52, 3, 0.1, 0.5);
+  View view(scene);
+  vtkNew<vtkFourierOpacityPass> pass;
+  pass->SetMemory(vtkFourierOpacityPass::Fixed);
+  view.SetPass(pass);
+  view.Render();
+  EXPECT_TRUE(TakeMessages().empty());
+  pass->SetStorageDesign(vtkFragmentListPass::MBuffer);
+  for (const char* expected : { "StorageDesign is m-buffer, but Memory is Fixed", "StorageDesign is m-buffer, MemoryLimit is 12, but Memory is Fixed" })
+  {
+    view.Render();
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find(expected), std::string::npos) << messages[0];
+    view.Render();
+    EXPECT_TRUE(TakeMessages().empty());
+    pass->GetStorage()->SetMemoryLimit(12);
+  }
 }
 
 TEST_F(TestStorageProperties, ASectionLengthWithoutSectionsIsToldOnce)
