@@ -167,6 +167,12 @@ vtkTranslucencyFrame::Uniforms vtkAdaptiveTransparencyPass::GetWhite() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkAdaptiveTransparencyPass::UsesInFixedMemory(const std::string& name) const
+{
+  return name == "MemoryLimit";
+}
+
+//------------------------------------------------------------------------------
 bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
 {
   // Adaptive/Record.glsl

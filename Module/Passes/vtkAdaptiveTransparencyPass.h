@@ -65,6 +65,8 @@
 #include "vtkTranslucencyTargets.h" // for Colors
 #include "vtkVisibilityFunctionPass.h"
 
+#include <string>
+
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkVisibilityFunctionPass
 {
 public:
@@ -142,6 +144,7 @@ protected:
   ~vtkAdaptiveTransparencyPass() override;
 
   bool RenderFixed(vtkTranslucencyFrame& frame) override;
+  bool UsesInFixedMemory(const std::string& name) const override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;

@@ -44,9 +44,15 @@ std::vector<vtkTranslucencyOption> vtkVisibilityFunctionPass::GetOptions()
   std::vector<vtkTranslucencyOption> options = this->Superclass::GetOptions();
   for (vtkTranslucencyOption& option : options)
   {
-    option.Help += "; used by memory variable only";
+    option.Help += this->UsesInFixedMemory(option.Name) ? "" : "; used by memory variable only";
   }
   return options;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVisibilityFunctionPass::UsesInFixedMemory(const std::string&) const
+{
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -56,7 +62,7 @@ void vtkVisibilityFunctionPass::WarnOfUnusedOptions()
   for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
   {
     const double value = option.Get();
-    if (value != option.Default)
+    if (value != option.Default && !this->UsesInFixedMemory(option.Name))
     {
       unused += (unused.empty() ? "" : ", ") + option.Name + " is " + option.Format(value);
     }

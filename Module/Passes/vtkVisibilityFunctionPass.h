@@ -29,8 +29,8 @@ public:
   ///@{
   /**
    * Variable (the default): all fragments are kept, in the storage, and resolved in the end. Fixed: nothing is kept of a fragment but what it
-   * does to the functions and the colours, and the geometry is drawn twice or more often: options of the storage then do nothing, and drawing
-   * warns of those that are not at their defaults. What the other one holds is released. Another value is an error and changes nothing.
+   * does to the functions and the colours, and the geometry is drawn twice or more often: options of the storage then do nothing
+   * (UsesInFixedMemory names exceptions), and drawing warns of those that are not at their defaults. What the other one holds is released. Another value is an error and changes nothing.
    */
   virtual void SetMemory(int memory);
   vtkGetMacro(Memory, int);
@@ -51,6 +51,11 @@ protected:
    * RenderStages where Memory is Fixed; where it is Variable, lists are gathered and ResolveLists draws them.
    */
   virtual bool RenderFixed(vtkTranslucencyFrame& frame) = 0;
+
+  /**
+   * Whether RenderFixed uses an option of the fragment lists, by its name of a property.
+   */
+  virtual bool UsesInFixedMemory(const std::string& name) const;
 
   bool DividesVolumes() const override { return this->Memory == Variable; }
   bool RenderStages(vtkTranslucencyFrame& frame) override;
