@@ -21,23 +21,29 @@ double Quantile(std::vector<double> values, double part)
   return values[below] + (position - below) * (values[above] - values[below]);
 }
 
-void MeasureStages(Stage& stage, int number, int frames, Timing& timing)
+void MeasureStages(Stage& stage, const std::vector<TechniqueChoice>& techniques, const std::vector<int>& numbers, int rounds,
+  Progress& progress, std::vector<Timing>& timings)
 {
-  std::vector<double> gather;
-  std::vector<double> resolve;
-  for (int frame = 0; frame < frames; ++frame)
+  std::vector<std::vector<double>> gather(numbers.size());
+  std::vector<std::vector<double>> resolve(numbers.size());
+  for (int round = 0; round < rounds; ++round)
   {
-    const auto times = stage.DrawMeasured(number);
-    if (!times)
+    for (std::size_t i = 0; i < numbers.size(); ++i)
     {
-      return;
+      progress.Step(techniques[i].Label + ", stages");
+      if (const auto times = stage.DrawMeasured(numbers[i]))
+      {
+        gather[i].push_back(times->Gather);
+        resolve[i].push_back(times->Resolve);
+      }
     }
-    gather.push_back(times->Gather);
-    resolve.push_back(times->Resolve);
   }
-  if (!gather.empty())
+  for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    timing.Stages = StageTimes{ Quantile(gather, 0.5), Quantile(resolve, 0.5) };
+    if (!gather[i].empty())
+    {
+      timings[i].Stages = StageTimes{ Quantile(gather[i], 0.5), Quantile(resolve[i], 0.5) };
+    }
   }
 }
 }
@@ -52,7 +58,8 @@ std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& te
     stage.Settle(number);
   }
   const int rounds = settings.Warmup + settings.Frames;
-  Progress progress("frames", (rounds + 1) * static_cast<int>(numbers.size()));
+  const int stageRounds = settings.Frames / 2 + 1;
+  Progress progress("frames", (rounds + stageRounds) * static_cast<int>(numbers.size()));
   for (int round = 0; round < rounds; ++round)
   {
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -65,6 +72,11 @@ std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& te
       }
     }
   }
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    timings[i].Statistics = stage.GetStatistics(numbers[i]);
+  }
+  MeasureStages(stage, techniques, numbers, stageRounds, progress, timings);
   const Timing* blend = nullptr;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
@@ -72,10 +84,7 @@ std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& te
     timing.LowerQuartile = Quantile(timing.Frames, 0.25);
     timing.Median = Quantile(timing.Frames, 0.5);
     timing.UpperQuartile = Quantile(timing.Frames, 0.75);
-    timing.Statistics = stage.GetStatistics(numbers[i]);
     blend = techniques[i].Name == "blend" ? &timing : blend;
-    progress.Step(techniques[i].Label + ", stages");
-    MeasureStages(stage, numbers[i], settings.StageFrames, timing);
     timing.Storage = stage.CountStorage(numbers[i]); // last: it draws by other shaders
   }
   for (Timing& timing : timings)

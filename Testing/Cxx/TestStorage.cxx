@@ -389,6 +389,11 @@ void ExpectTheSameFrom(const std::vector<Storage>& storages, int width, int heig
     EXPECT_EQ(Compare(drawn, expected).Largest, 0);
   }
 }
+
+std::array<double, 2> OnOnePixel(int)
+{
+  return { { 20, 10 } };
+}
 }
 
 TEST_F(TestStorageOfPoints, AMillionOver4096Pixels)
@@ -406,22 +411,19 @@ TEST_F(TestStorageOfPoints, AMillionOver4096Pixels)
 
 TEST_F(TestStorageOfPoints, OnePixelOf100000)
 {
-  const auto one = [](int) { return std::array<double, 2>{ { 20, 10 } }; };
-  ExpectTheSameFrom({ LinkedList, TBuffer, MBuffer }, 40, 30, 100000, one, 100000);
+  ExpectTheSameFrom({ LinkedList, TBuffer, MBuffer }, 40, 30, 100000, OnOnePixel, 100000);
 }
 
 // As many passes as fragments, each of which reads what is left.
 TEST_F(TestStorageOfPoints, OnePixelOf3000InTheRBuffer)
 {
-  const auto one = [](int) { return std::array<double, 2>{ { 20, 10 } }; };
-  ExpectTheSameFrom({ LinkedList, RBuffer }, 40, 30, 3000, one, 3000);
+  ExpectTheSameFrom({ LinkedList, RBuffer }, 40, 30, 3000, OnOnePixel, 3000);
 }
 
 // 5,000,050,000 reads, one behind the other: a quarter of an hour, so only by --gtest_also_run_disabled_tests.
 TEST_F(TestStorageOfPoints, DISABLED_OnePixelOf100000InTheRBuffer)
 {
-  const auto one = [](int) { return std::array<double, 2>{ { 20, 10 } }; };
-  ExpectTheSameFrom({ LinkedList, RBuffer }, 40, 30, 100000, one, 100000);
+  ExpectTheSameFrom({ LinkedList, RBuffer }, 40, 30, 100000, OnOnePixel, 100000);
 }
 
 //------------------------------------------------------------------------------
