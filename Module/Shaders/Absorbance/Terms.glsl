@@ -2,9 +2,9 @@
 //
 // A fragment's absorbance is -ln(1 - opacity): those of the fragments in front add up, and vis(z) = exp(-sum) (Salvi 2011, Eq. 4). Which
 // of them are in front is told from a fixed number of sums, the terms: a fragment of absorbance a at depth z adds a * density(z)
-// to them, and the absorbance in front of z is the scalar product of the terms with integral(z). A technique gives these two vectors
-// (Fourier/Series.glsl, OpacityShadowMap/Slices.glsl). Since they are linear, what a fragment has added itself is taken out again
-// before it asks: nothing hides itself (H(0) = 0 in Eq. 5).
+// to them. When they are complete, integrateTerms makes them weights and an offset, and the absorbance in front of z is the offset and the scalar
+// product of the weights with integral(z). A technique gives these vectors (Fourier/Series.glsl, OpacityShadowMap/Slices.glsl). Since all of this is linear, what
+// a fragment has added itself is taken out again before it asks: nothing hides itself (H(0) = 0 in Eq. 5).
 //
 // An opaque fragment would absorb without end. No absorbance is more than ln(1024): what is behind shows through by less than a quarter of
 // 1/255.
@@ -13,8 +13,8 @@
 //
 // Valid C++, too.
 //
-// Needs: TERM_VECTORS (1 to 8), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Basis, Terms, absorbanceOf, relativeDepth, clearTerms,
-// addToTerms, visibilityOf.
+// Needs: TERM_VECTORS (1 to 8), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Basis, Terms, TermVector, integrate, weighted, absorbanceOf,
+// relativeDepth, clearTerms, addToTerms, visibilityOf.
 #ifndef Terms_glsl
 #define Terms_glsl
 #define VECTOR_COUNT TERM_VECTORS
@@ -24,8 +24,7 @@
 
 #define LEAST_TRANSMITTANCE (1.0f / 1024.0f)
 
-// Of a depth. What is not in use of the last vector is 0. own is the scalar product of the two: how much of what is added at this depth
-// seems to lie in front of it.
+// Of a depth. What is not in use of the last vector is 0. own is how much of what is added at this depth seems to lie in front of it.
 struct Basis
 {
   vec4 density[TERM_VECTORS];
@@ -33,7 +32,7 @@ struct Basis
   float own;
 };
 
-// Four sums of each channel, what a fragment adds to them, and the scalar product of each channel's with four of a basis.
+// Four sums of each channel, what a fragment adds to them, the scalar product of each channel's with four of a basis, and each times a weight of its own.
 #if TRANSMITTANCE_CHANNELS == 3
 #define TermVector mat3x4
 
@@ -45,6 +44,11 @@ TermVector spread(vec4 density, Channels absorbance)
 Channels integrate(TermVector sums, vec4 integral)
 {
   return integral * sums;
+}
+
+TermVector weighted(TermVector sums, vec4 weights)
+{
+  return TermVector(sums[0] * weights, sums[1] * weights, sums[2] * weights);
 }
 #else
 #define TermVector vec4
@@ -58,11 +62,17 @@ Channels integrate(TermVector sums, vec4 integral)
 {
   return dot(sums, integral);
 }
+
+TermVector weighted(TermVector sums, vec4 weights)
+{
+  return sums * weights;
+}
 #endif
 
 struct Terms
 {
   TermVector sums[TERM_VECTORS];
+  Channels offset;
 };
 
 Channels absorbanceOf(Channels alpha)
@@ -74,13 +84,14 @@ Channels absorbanceOf(Channels alpha)
 float relativeDepth(float depth, vec2 range)
 {
   float extent = range.y - range.x;
-  return extent > 0.0f ? clamp((depth - range.x) / extent, 0.0f, 1.0f) : 0.5f;
+  return extent > 0.0f ? clamp((depth - range.x) * (1.0f / extent), 0.0f, 1.0f) : 0.5f; // one division for all fragments of a pixel
 }
 
 void clearTerms(OUT(Terms) terms)
 {
 #define CLEAR_TERMS(i) terms.sums[i] = TermVector(0.0f);
   EACH_VECTOR(CLEAR_TERMS)
+  terms.offset = Channels(0.0f);
 }
 
 void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
@@ -89,10 +100,10 @@ void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
   EACH_VECTOR(ADD_TO_TERMS)
 }
 
-// vis at the depth of a fragment that has added this absorbance.
+// vis at the depth of a fragment that has added this absorbance, from integrated terms.
 Channels visibilityOf(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
 {
-  Channels inFront = -basis.own * absorbance;
+  Channels inFront = terms.offset - basis.own * absorbance;
 #define ADD_IN_FRONT(i) inFront += integrate(terms.sums[i], basis.integral[i]);
   EACH_VECTOR(ADD_IN_FRONT)
   return exp(-max(inFront, 0.0f)); // a truncated series may fall below 0

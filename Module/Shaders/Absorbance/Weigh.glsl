@@ -7,7 +7,7 @@
 // surfaces close behind it, each of which seems to hide the others, they may be so small that it would dazzle. So no channel gets more light
 // than all fragments give together.
 //
-// Needs: basisAt and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives: Sums, clearSums, isThere, bound,
+// Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives: Sums, clearSums, isThere, bound,
 // absorb, weigh, colorOf, and what Absorbance/Range.glsl gives.
 #ifndef Weigh_glsl
 #define Weigh_glsl

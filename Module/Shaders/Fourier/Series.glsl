@@ -10,7 +10,8 @@
 //
 // Valid C++, too.
 //
-// Needs: FOURIER_COEFFICIENTS (1 to 15): pairs of cosine and sine.  Gives: TERM_VECTORS, what Absorbance/Terms.glsl gives, basisAt.
+// Needs: FOURIER_COEFFICIENTS (1 to 15): pairs of cosine and sine.  Gives: TERM_VECTORS, what Absorbance/Terms.glsl gives, basisAt,
+// integrateTerms.
 #ifndef Series_glsl
 #define Series_glsl
 #ifndef FOURIER_COEFFICIENTS
@@ -24,23 +25,28 @@
 #define FOURIER_PI 3.14159265358979f
 
 // Cosine and sine of pi * x, for x from 0 to 1: -sin and cos of pi * (x - 1/2), by their Taylor polynomials of degree 11 and 12, off by less
-// than 1e-7. Drivers without an instruction for it take some 60 steps instead of these, and a square root.
+// than 1e-7. Drivers without an instruction for it take some 60 steps instead of these, and a square root. Constants are reciprocals, since
+// compilers keep divisions by others.
 vec2 halfAngle(float x)
 {
   float y = FOURIER_PI * (x - 0.5f);
   float s = y * y;
-  float sine = y * (1.0f - s * (1.0f / 6.0f - s * (1.0f / 120.0f - s * (1.0f / 5040.0f - s * (1.0f / 362880.0f - s / 39916800.0f)))));
-  float cosine =
-    1.0f - s * (0.5f - s * (1.0f / 24.0f - s * (1.0f / 720.0f - s * (1.0f / 40320.0f - s * (1.0f / 3628800.0f - s / 479001600.0f)))));
+  float sine = y *
+    (1.0f - s * (1.0f / 6.0f - s * (1.0f / 120.0f - s * (1.0f / 5040.0f - s * (1.0f / 362880.0f - s * (1.0f / 39916800.0f))))));
+  float cosine = 1.0f -
+    s * (0.5f - s * (1.0f / 24.0f - s * (1.0f / 720.0f - s * (1.0f / 40320.0f - s * (1.0f / 3628800.0f - s * (1.0f / 479001600.0f))))));
   return vec2(-sine, cosine);
 }
+
+// Of the k-th pair's integral.
+#define FOURIER_WEIGHT(k) ((k) <= FOURIER_COEFFICIENTS ? 1.0f / (FOURIER_PI * float(k)) : 0.0f)
 
 // A vector holds the cosine and sine of k times the angle, and of k + 1 times. Those of the next one follow from the two before
 // (Chebyshev): cos((k + 2) a) = 2 cos(2 a) cos(k a) - cos((k - 2) a), and the same for sines. What a pair weighs of itself is the sum of
 // cos sin and (1 - cos) sin, a sine. Behind the last pair is the mean.
 void basisAt(float depth, OUT(Basis) basis)
 {
-  float x = mix(FOURIER_MARGIN, 1.0f - FOURIER_MARGIN, depth);
+  float x = FOURIER_MARGIN + (1.0f - 2.0f * FOURIER_MARGIN) * depth;
   vec2 halfway = halfAngle(x);
   vec2 once = vec2(2.0f * halfway.x * halfway.x - 1.0f, 2.0f * halfway.x * halfway.y);
   vec2 twice = vec2(2.0f * once.x * once.x - 1.0f, 2.0f * once.x * once.y);
@@ -50,10 +56,8 @@ void basisAt(float depth, OUT(Basis) basis)
   basis.own = x;
 #define SET_PAIRS(i) \
   basis.density[i] = waves; \
-  basis.integral[i] = vec4(waves.y, 1.0f - waves.x, waves.w, 1.0f - waves.z) * \
-    vec4(vec2(1.0f / (FOURIER_PI * float(2 * i + 1))), vec2(1.0f / (FOURIER_PI * float(2 * i + 2)))); \
-  basis.own += 2 * i + 1 <= FOURIER_COEFFICIENTS ? basis.integral[i].x : 0.0f; \
-  basis.own += 2 * i + 2 <= FOURIER_COEFFICIENTS ? basis.integral[i].z : 0.0f; \
+  basis.integral[i] = vec4(waves.y, waves.x, waves.w, waves.z); \
+  basis.own += FOURIER_WEIGHT(2 * i + 1) * waves.y + FOURIER_WEIGHT(2 * i + 2) * waves.w; \
   next = 2.0f * twice.x * waves - before; \
   before = waves; \
   waves = next;
@@ -67,6 +71,24 @@ void basisAt(float depth, OUT(Basis) basis)
   basis.integral[TERM_VECTORS - 1] *= vec4(1.0f, 1.0f, 0.0f, 0.0f);
   basis.integral[TERM_VECTORS - 1].z = x;
 #endif
+}
+
+// Where the mean is in the last vector.
+#if FOURIER_COEFFICIENTS % 2 == 0
+#define FOURIER_MEAN vec4(1.0f, 0.0f, 0.0f, 0.0f)
+#else
+#define FOURIER_MEAN vec4(0.0f, 0.0f, 1.0f, 0.0f)
+#endif
+
+// The weights of sin(2 pi k x) and of cos(2 pi k x) in the integral, and what it has in front of every x.
+void integrateTerms(INOUT(Terms) terms)
+{
+  vec4 weights;
+#define WEIGH_PAIRS(i) \
+  weights = vec4(vec2(FOURIER_WEIGHT(2 * i + 1)), vec2(FOURIER_WEIGHT(2 * i + 2))) * vec4(1.0f, -1.0f, 1.0f, -1.0f); \
+  terms.offset -= integrate(terms.sums[i], weights * vec4(0.0f, 1.0f, 0.0f, 1.0f)); \
+  terms.sums[i] = weighted(terms.sums[i], weights + (i == TERM_VECTORS - 1 ? FOURIER_MEAN : vec4(0.0f)));
+  EACH_VECTOR(WEIGH_PAIRS)
 }
 
 #endif

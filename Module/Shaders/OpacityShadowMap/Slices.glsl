@@ -5,7 +5,7 @@
 //
 // Valid C++, too.
 //
-// Needs: SLICES (1 to 32).  Gives: TERM_VECTORS, what Absorbance/Terms.glsl gives, basisAt.
+// Needs: SLICES (1 to 32).  Gives: TERM_VECTORS, what Absorbance/Terms.glsl gives, basisAt, integrateTerms.
 #ifndef Slices_glsl
 #define Slices_glsl
 #ifndef SLICES
@@ -25,6 +25,12 @@ void basisAt(float depth, OUT(Basis) basis)
   basis.integral[i] = clamp(vec4(x) - (first + float(4 * i)), 0.0f, 1.0f);
   EACH_VECTOR(SET_SLICES)
   basis.own = x - slice;
+}
+
+// Slices are weighed by what the depth has passed of them, and by nothing else.
+void integrateTerms(INOUT(Terms) terms)
+{
+  terms.offset = Channels(0.0f);
 }
 
 #endif
