@@ -30,7 +30,8 @@ public:
   /**
    * Variable (the default): all fragments are kept, in the storage, and resolved in the end. Fixed: nothing is kept of a fragment but what it
    * does to the functions and the colours, and the geometry is drawn twice or more often: options of the storage then do nothing
-   * (UsesInFixedMemory names exceptions), and drawing warns of those that are not at their defaults. What the other one holds is released. Another value is an error and changes nothing.
+   * (UsesInFixedMemory names exceptions), and drawing warns of those that are not at their defaults. What the other one holds is released.
+   * Another value is an error and changes nothing.
    */
   virtual void SetMemory(int memory);
   vtkGetMacro(Memory, int);

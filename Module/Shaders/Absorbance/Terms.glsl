@@ -3,8 +3,8 @@
 // A fragment's absorbance is -ln(1 - opacity): those of the fragments in front add up, and vis(z) = exp(-sum) (Salvi 2011, Eq. 4). Which
 // of them are in front is told from a fixed number of sums, the terms: a fragment of absorbance a at depth z adds a * density(z)
 // to them. When they are complete, integrateTerms makes them weights and an offset, and the absorbance in front of z is the offset and the scalar
-// product of the weights with integral(z). A technique gives these vectors (Fourier/Series.glsl, OpacityShadowMap/Slices.glsl). Since all of this is linear, what
-// a fragment has added itself is taken out again before it asks: nothing hides itself (H(0) = 0 in Eq. 5).
+// product of the weights with integral(z). A technique gives these vectors (Fourier/Series.glsl, OpacityShadowMap/Slices.glsl). Since all of
+// this is linear, what a fragment has added itself is taken out again before it asks: nothing hides itself (H(0) = 0 in Eq. 5).
 //
 // An opaque fragment would absorb without end. No absorbance is more than ln(1024): what is behind shows through by less than a quarter of
 // 1/255.
