@@ -33,7 +33,6 @@ uniform Target terms7;
 
 void fetchTerms(ivec2 pixel, out Terms terms)
 {
-  terms.offset = Channels(0.0);
   terms.sums[0] = fetchTarget(terms0, pixel);
 #if TERM_VECTORS > 1
   terms.sums[1] = fetchTarget(terms1, pixel);

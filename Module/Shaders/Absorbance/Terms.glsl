@@ -72,7 +72,7 @@ TermVector weighted(TermVector sums, vec4 weights)
 struct Terms
 {
   TermVector sums[TERM_VECTORS];
-  Channels offset;
+  Channels offset; // of integrated terms
 };
 
 Channels absorbanceOf(Channels alpha)
@@ -91,7 +91,6 @@ void clearTerms(OUT(Terms) terms)
 {
 #define CLEAR_TERMS(i) terms.sums[i] = TermVector(0.0f);
   EACH_VECTOR(CLEAR_TERMS)
-  terms.offset = Channels(0.0f);
 }
 
 void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)

@@ -38,12 +38,21 @@ vec2 halfAngle(float x)
   return vec2(-sine, cosine);
 }
 
+// What the last vector holds: the last pair, if it has no partner, and behind it the mean.
+#if FOURIER_COEFFICIENTS % 2 == 0
+#define FOURIER_LAST_PAIR vec4(0.0f)
+#define FOURIER_MEAN vec4(1.0f, 0.0f, 0.0f, 0.0f)
+#else
+#define FOURIER_LAST_PAIR vec4(1.0f, 1.0f, 0.0f, 0.0f)
+#define FOURIER_MEAN vec4(0.0f, 0.0f, 1.0f, 0.0f)
+#endif
+
 // Of the k-th pair's integral.
 #define FOURIER_WEIGHT(k) ((k) <= FOURIER_COEFFICIENTS ? 1.0f / (FOURIER_PI * float(k)) : 0.0f)
 
 // A vector holds the cosine and sine of k times the angle, and of k + 1 times. Those of the next one follow from the two before
 // (Chebyshev): cos((k + 2) a) = 2 cos(2 a) cos(k a) - cos((k - 2) a), and the same for sines. What a pair weighs of itself is the sum of
-// cos sin and (1 - cos) sin, a sine. Behind the last pair is the mean.
+// cos sin and (1 - cos) sin, a sine.
 void basisAt(float depth, OUT(Basis) basis)
 {
   float x = FOURIER_MARGIN + (1.0f - 2.0f * FOURIER_MARGIN) * depth;
@@ -62,28 +71,15 @@ void basisAt(float depth, OUT(Basis) basis)
   before = waves; \
   waves = next;
   EACH_VECTOR(SET_PAIRS)
-#if FOURIER_COEFFICIENTS % 2 == 0
-  basis.density[TERM_VECTORS - 1] = vec4(1.0f, 0.0f, 0.0f, 0.0f);
-  basis.integral[TERM_VECTORS - 1] = vec4(x, 0.0f, 0.0f, 0.0f);
-#else
-  basis.density[TERM_VECTORS - 1] *= vec4(1.0f, 1.0f, 0.0f, 0.0f);
-  basis.density[TERM_VECTORS - 1].z = 1.0f;
-  basis.integral[TERM_VECTORS - 1] *= vec4(1.0f, 1.0f, 0.0f, 0.0f);
-  basis.integral[TERM_VECTORS - 1].z = x;
-#endif
+  basis.density[TERM_VECTORS - 1] = FOURIER_LAST_PAIR * basis.density[TERM_VECTORS - 1] + FOURIER_MEAN;
+  basis.integral[TERM_VECTORS - 1] = FOURIER_LAST_PAIR * basis.integral[TERM_VECTORS - 1] + x * FOURIER_MEAN;
 }
-
-// Where the mean is in the last vector.
-#if FOURIER_COEFFICIENTS % 2 == 0
-#define FOURIER_MEAN vec4(1.0f, 0.0f, 0.0f, 0.0f)
-#else
-#define FOURIER_MEAN vec4(0.0f, 0.0f, 1.0f, 0.0f)
-#endif
 
 // The weights of sin(2 pi k x) and of cos(2 pi k x) in the integral, and what it has in front of every x.
 void integrateTerms(INOUT(Terms) terms)
 {
   vec4 weights;
+  terms.offset = Channels(0.0f);
 #define WEIGH_PAIRS(i) \
   weights = vec4(vec2(FOURIER_WEIGHT(2 * i + 1)), vec2(FOURIER_WEIGHT(2 * i + 2))) * vec4(1.0f, -1.0f, 1.0f, -1.0f); \
   terms.offset -= integrate(terms.sums[i], weights * vec4(0.0f, 1.0f, 0.0f, 1.0f)); \
