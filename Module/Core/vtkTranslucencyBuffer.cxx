@@ -12,6 +12,7 @@ bool vtkTranslucencyBuffer::Reserve(vtkTypeInt64 bytes)
   if (this->Handle == 0)
   {
     glGenBuffers(1, &this->Handle);
+    this->TexelWords = 0; // the texture, if there is one, is not this buffer
   }
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
   glBufferData(
@@ -78,8 +79,29 @@ void vtkTranslucencyBuffer::BindUniform(unsigned int index) const
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::BindTexels(int words)
+{
+  if (this->Texture == 0)
+  {
+    glGenTextures(1, &this->Texture);
+  }
+  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+  if (this->TexelWords != words)
+  {
+    glTexBuffer(GL_TEXTURE_BUFFER, words == 4 ? GL_RGBA32UI : words == 3 ? GL_RGB32UI : GL_R32UI, this->Handle);
+    this->TexelWords = words;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyBuffer::Release(bool contextAlive)
 {
+  if (this->Texture != 0 && contextAlive)
+  {
+    glDeleteTextures(1, &this->Texture);
+  }
+  this->Texture = 0;
+  this->TexelWords = 0;
   if (this->Handle != 0 && contextAlive)
   {
     glDeleteBuffers(1, &this->Handle);

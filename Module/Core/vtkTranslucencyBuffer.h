@@ -30,6 +30,9 @@ public:
   void BindStorage(unsigned int index) const;
   void BindUniform(unsigned int index) const;
 
+  /// Binds a texture that is the buffer to the active texture unit, as GL_TEXTURE_BUFFER. A texel has 1, 3 or 4 unsigned integers.
+  void BindTexels(int words);
+
   /// Bytes as allocated.
   vtkTypeInt64 GetBytes() const { return this->Bytes; }
 
@@ -39,6 +42,8 @@ public:
 private:
   unsigned int Handle = 0;
   vtkTypeInt64 Bytes = 0;
+  unsigned int Texture = 0;
+  int TexelWords = 0; // 0 where the texture is yet to be made the buffer
 };
 
 #endif

@@ -50,7 +50,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   result.MissingForStorage = missing({ "GL_ARB_shader_storage_buffer_object",
     "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack",
     "GL_ARB_shading_language_packing", "GL_ARB_shader_bit_encoding", "GL_ARB_gpu_shader5",
-    "GL_ARB_sample_shading", "GL_ARB_clear_buffer_object" });
+    "GL_ARB_sample_shading", "GL_ARB_clear_buffer_object", "GL_ARB_texture_buffer_object_rgb32" });
   result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
   result.MissingForBuffers = missing({ "GL_ARB_draw_buffers_blend", "GL_ARB_explicit_attrib_location" });
   result.MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
@@ -64,6 +64,10 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
     GLint64 bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     result.MaximumBlockBytes = llvmpipe ? std::max<vtkTypeInt64>(bytes, BlockBytesOfLlvmpipe) : bytes;
+
+    GLint texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    result.MaximumTexels = texels;
 
     GLint blocks = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);

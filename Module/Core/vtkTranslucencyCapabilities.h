@@ -41,6 +41,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// is drawn once instead of in five tiles. TestMemoryLimit.BlocksAreAsLargeAsTheDriverCanAddress fails where that isn't so.
   vtkTypeInt64 MaximumBlockBytes = 0;
 
+  /// The most texels of a buffer that a shader may fetch: GL_MAX_TEXTURE_BUFFER_SIZE, 2^27 with most drivers.
+  vtkTypeInt64 MaximumTexels = 0;
+
   /// Graphics memory as the driver reports it (NVX_gpu_memory_info, ATI_meminfo), in MiB; 0 if it does not.
   double ReportedMemoryMiB = 0;
 

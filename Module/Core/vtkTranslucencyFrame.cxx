@@ -59,25 +59,21 @@ private:
   Clock::time_point Start;
 };
 
-// Binds what a stage reads to texture units of its own, and puts back what was bound there.
-class vtkTranslucencyFrame::ScopedInputs
+// Binds what a shader reads to texture units of its own, and puts back what was bound there.
+class vtkTranslucencyFrame::ScopedTextures
 {
 public:
-  ScopedInputs(vtkOpenGLRenderWindow* window, const std::vector<Input>& inputs)
+  explicit ScopedTextures(vtkOpenGLRenderWindow* window, const std::vector<Input>& inputs = {})
     : Window(window)
   {
     for (const Input& input : inputs)
     {
       const bool several = input.From->GetTarget() == GL_TEXTURE_2D_MULTISAMPLE;
-      Bound bound{ window->GetTextureUnitManager()->Allocate(), input.From->GetTarget(), 0 };
-      window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + bound.Unit));
-      glGetIntegerv(several ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &bound.Before);
-      glBindTexture(bound.Target, input.From->GetTexture(input.Index));
-      this->Textures.push_back(bound);
-      this->Units[input.Sampler] = bound.Unit;
+      this->UseUnit(input.Sampler, input.From->GetTarget(), several ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D);
+      glBindTexture(input.From->GetTarget(), input.From->GetTexture(input.Index));
     }
   }
-  ~ScopedInputs()
+  ~ScopedTextures()
   {
     for (const Bound& bound : this->Textures)
     {
@@ -86,8 +82,22 @@ public:
       this->Window->GetTextureUnitManager()->Free(bound.Unit);
     }
   }
-  ScopedInputs(const ScopedInputs&) = delete;
-  ScopedInputs& operator=(const ScopedInputs&) = delete;
+  ScopedTextures(const ScopedTextures&) = delete;
+  ScopedTextures& operator=(const ScopedTextures&) = delete;
+
+  /// Binds what a storage offers and a program fetches.
+  void BindTexels(vtkFragmentStorage* storage, vtkShaderProgram* program)
+  {
+    for (const vtkFragmentStorage::Texels& texels : storage->GetTexels())
+    {
+      if (program->IsUniformUsed(texels.Sampler))
+      {
+        this->UseUnit(texels.Sampler, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER);
+        texels.Buffer->BindTexels(texels.Words);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+      }
+    }
+  }
 
   /// By the names of the samplers.
   const Uniforms& GetUnits() const { return this->Units; }
@@ -99,6 +109,16 @@ private:
     unsigned int Target;
     int Before;
   };
+
+  // Makes a unit active that nobody else uses.
+  void UseUnit(const std::string& sampler, unsigned int target, unsigned int binding)
+  {
+    Bound bound{ this->Window->GetTextureUnitManager()->Allocate(), target, 0 };
+    this->Window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + bound.Unit));
+    glGetIntegerv(binding, &bound.Before);
+    this->Textures.push_back(bound);
+    this->Units[sampler] = bound.Unit;
+  }
 
   vtkOpenGLRenderWindow* Window;
   std::vector<Bound> Textures;
@@ -809,7 +829,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
   if (this->Storage != storage)
   {
-    storage->BeginFrame();
+    storage->BeginFrame(kept.Capabilities);
   }
   this->Storage = storage;
   storage->SetChannelsAndSamples(this->GetChannels(), this->Samples);
@@ -1014,7 +1034,7 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, 
     this->UseTile();
   }
   {
-    const ScopedInputs inputs(this->Window, stage.Inputs);
+    const ScopedTextures inputs(this->Window, stage.Inputs);
     kept.GatherUniforms = stage.Values;
     kept.GatherUniforms["gatherStage"] = stage.Number;
     kept.GatherUniforms.insert(inputs.GetUnits().begin(), inputs.GetUnits().end());
@@ -1041,7 +1061,7 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
   {
     return this->Fail(targets.GetObstacle());
   }
-  const ScopedInputs bound(this->Window, stage.Inputs);
+  const ScopedTextures bound(this->Window, stage.Inputs);
   SetUniforms(program, stage.Values);
   SetUniforms(program, bound.GetUnits());
   this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
@@ -1172,6 +1192,12 @@ bool vtkTranslucencyFrame::Resolve(
     program->SetUniformi("resolveAmong", this->Among);
   }
   SetUniforms(program, uniforms);
+  ScopedTextures textures(this->Window);
+  if (this->Storage)
+  {
+    textures.BindTexels(this->Storage, program);
+  }
+  SetUniforms(program, textures.GetUnits());
 
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(state);

@@ -227,7 +227,7 @@ public:
 
 private:
   class ScopedTimer;
-  class ScopedInputs;
+  class ScopedTextures;
   class ScopedTargets;
 
   friend class vtkTranslucencyPass;

@@ -31,6 +31,7 @@ const char* vtkTranslucencyShader::GetExtensions()
          "#extension GL_ARB_sample_shading : require\n" // gl_SampleID
          OPTIONAL_EXTENSION("GL_ARB_explicit_attrib_location") // of several outputs
          OPTIONAL_EXTENSION("GL_ARB_blend_func_extended")      // of two source colours
+         OPTIONAL_EXTENSION("GL_ARB_gpu_shader_int64") // stores of two words
          OPTIONAL_EXTENSION("GL_ARB_post_depth_coverage")
          OPTIONAL_EXTENSION("GL_ARB_ES3_1_compatibility") // gl_HelperInvocation
          OPTIONAL_EXTENSION("GL_ARB_fragment_shader_interlock")

@@ -86,6 +86,18 @@ int vtkCellStorage::GetColorWords() const
 }
 
 //------------------------------------------------------------------------------
+vtkCellStorage::Layout vtkCellStorage::GetNodes() const
+{
+  const int words = 2 + this->GetColorWords();
+  const int unitWords = this->GetUnitFragments() * words;
+  if (words > MOST_TEXEL_WORDS) // a node is a texel
+  {
+    return { STORAGE_BINDING_FRAGMENTS, 0, unitWords };
+  }
+  return { STORAGE_BINDING_FRAGMENTS, 0, unitWords, Use::Written, "fragmentTexels", words };
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkCellStorage::GetLayoutBytes(const Layout& layout, const Rectangle& tile, vtkTypeInt64 units) const
 {
   return WordBytes * (layout.PixelWords * Pixels(tile) + layout.UnitWords * units);
@@ -108,7 +120,9 @@ vtkTypeInt64 vtkCellStorage::GetUnitsAllowed(
     }
     if (layout.UnitWords > 0)
     {
-      units = std::min(units, std::floor((block - ofPixels) / static_cast<double>(layout.UnitWords * WordBytes)));
+      const double texels = static_cast<double>(layout.TexelWords * WordBytes * capabilities.MaximumTexels);
+      const double most = texels > 0 ? std::min(block, texels) : block;
+      units = std::min(units, std::floor((most - ofPixels) / static_cast<double>(layout.UnitWords * WordBytes)));
     }
     pixelBytes += ofPixels;
     unitBytes += static_cast<double>(layout.UnitWords * WordBytes);
@@ -125,6 +139,16 @@ vtkTypeInt64 vtkCellStorage::GetUnitsAllowed(
 vtkTypeInt64 vtkCellStorage::GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pixels) const
 {
   return DividedUp(std::max<vtkTypeInt64>(0, fragments - pixels * this->GetPixelFragments()), this->GetUnitFragments());
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::BeginFrame(const vtkTranslucencyCapabilities& capabilities)
+{
+  if (this->KeepsDrawOrder != capabilities.KeepsDrawOrder)
+  {
+    this->KeepsDrawOrder = capabilities.KeepsDrawOrder;
+    this->ForgetUnits(); // which may depend on it
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -208,8 +232,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
     first += this->Ranges[cell];
     words[CELL_END] = static_cast<unsigned int>(first);
   }
-  const std::array<unsigned int, 4> words{ { static_cast<unsigned int>(layout.CellShift),
-    static_cast<unsigned int>(layout.CellsPerRow), static_cast<unsigned int>(units), 0 } };
+  const std::array<unsigned int, 4> words{ { static_cast<unsigned int>(layout.CellShift), static_cast<unsigned int>(units), 0, 0 } };
   this->LayoutBlock.Upload(words.data(), LayoutBytes);
   this->Counters.Upload(cells.data(), CounterBytes(tile));
   this->Counters.BindStorage(STORAGE_BINDING_COUNTERS);
@@ -348,20 +371,51 @@ std::vector<unsigned int> vtkCellStorage::ReadCells() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkCellStorage::CountUnits(const unsigned int* cell) const
 {
-  return cell[CELL_NEXT] - cell[CELL_FIRST];
+  return cell[CELL_NEXT] - cell[CELL_FIRST] +
+    DividedUp(static_cast<vtkTypeInt64>(cell[CELL_INSERTED]), this->GetUnitFragments());
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkCellStorage::CountFragments(const unsigned int* cell) const
+void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
 {
-  return cell[CELL_NEXT] - cell[CELL_FIRST];
+  const bool units = this->UnitsAreFragments();
+  if (!units && (!this->KeepsDrawOrder || this->Linked != Links::None)) // counted by shaders; or before, and no entries any more
+  {
+    return;
+  }
+  const auto length = static_cast<unsigned int>(this->GetUnitFragments());
+  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  {
+    unsigned int* words = &cells[cell * CELL_WORDS];
+    words[CELL_FRAGMENTS] = (words[CELL_NEXT] - words[CELL_FIRST] + words[CELL_PIXELS]) * length;
+  }
+  if (units) // which shaders know, too
+  {
+    return;
+  }
+  const int width = this->Tile[2];
+  const TileLayout& layout = this->Layouts[this->Tile];
+  this->Entries.resize(static_cast<std::size_t>(Pixels(this->Tile)));
+  this->Buffers[STORAGE_BINDING_TABLE].Download(this->Entries.data(), Pixels(this->Tile) * WordBytes);
+  for (int y = 0; y < this->Tile[3]; ++y)
+  {
+    for (int column = 0; column < layout.CellsPerRow; ++column)
+    {
+      const int x = column << layout.CellShift;
+      const int pixels = std::min(1 << layout.CellShift, width - x);
+      const std::size_t cell = static_cast<std::size_t>(y >> layout.CellShift) * layout.CellsPerRow + column;
+      cells[cell * CELL_WORDS + CELL_FRAGMENTS] -= this->CountFree(&this->Entries[static_cast<std::size_t>(y) * width + x], pixels);
+    }
+  }
+  this->Counters.Upload(cells.data(), CounterBytes(this->Tile));
 }
 
 //------------------------------------------------------------------------------
 vtkFragmentStorage::Outcome vtkCellStorage::End()
 {
   TileLayout& layout = this->Layouts[this->Tile];
-  const std::vector<unsigned int> cells = this->ReadCells();
+  std::vector<unsigned int> cells = this->ReadCells();
+  this->CountFragments(cells);
   const bool first = layout.Counts.empty();
   layout.Counts.resize(this->Ranges.size());
   bool overflow = false;
@@ -372,7 +426,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::End()
   for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
   {
     const unsigned int* words = &cells[cell * CELL_WORDS];
-    const vtkTypeInt64 fragments = this->CountFragments(words);
+    const vtkTypeInt64 fragments = static_cast<vtkTypeInt64>(words[CELL_FRAGMENTS]) + words[CELL_INSERTED];
     layout.Counts[cell] = this->CountUnits(words);
     most = std::max(most, layout.Counts[cell]);
     this->Units += layout.Counts[cell];
@@ -387,7 +441,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::End()
     return Outcome::Complete;
   }
   layout.FramesMoving = first ? 0 : FramesMovingAfterOverflow;
-  return this->Units <= this->UnitsAllowed && most <= MOST_UNITS_OF_CELL ? Outcome::Grown : Outcome::TooLarge;
+  return this->Units <= this->UnitsAllowed && most * this->GetUnitFragments() <= MOST_FRAGMENTS_OF_CELL ? Outcome::Grown : Outcome::TooLarge;
 }
 
 //------------------------------------------------------------------------------
@@ -439,6 +493,20 @@ vtkStorageAccounting::Accesses vtkCellStorage::GetAccesses() const
     accesses.FrameBuffer += WideCount(words + CELL_FRAME_BUFFER);
   }
   return accesses;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkFragmentStorage::Texels> vtkCellStorage::GetTexels()
+{
+  std::vector<Texels> texels;
+  for (const Layout& layout : this->GetLayouts())
+  {
+    if (layout.Sampler)
+    {
+      texels.push_back({ layout.Sampler, &this->Buffers[layout.Binding], layout.TexelWords });
+    }
+  }
+  return texels;
 }
 
 //------------------------------------------------------------------------------

@@ -2,12 +2,14 @@
  * @class   vtkCellStorage
  * @brief   a storage that gives room to cells of pixels
  *
- * Units of room, a node or a section, are taken by atomic operations while the geometry is drawn. One counter for all of them is what the gather would
+ * Units of room, a node, a run of them or a section, are taken by atomic operations while the geometry is drawn. One counter for all of them is what the gather would
  * wait for: two threads alone lose more time to it than to everything else. Here each cell of 16 x 16 pixels has a counter (64 bytes) and a
  * range of units of its own, as large as what the cell held in the last frame and an eighth more. After a frame in which that was not enough (the view
  * moves), ranges are for a while as large as the fullest of a cell and its neighbours within two cells.
  *
  * Where a range is too small, the frame is still counted to its end and then drawn again with ranges that fit.
+ *
+ * Resolves that change no fragments fetch them as texels of their buffer (Shaders/Storage/Cells.glsl): it has as many units at most as the driver can fetch.
  */
 #ifndef vtkCellStorage_h
 #define vtkCellStorage_h
@@ -30,6 +32,7 @@ public:
   vtkGetMacro(InitialFragments, vtkTypeInt64);
   ///@}
 
+  void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
   std::string GetObstacle(
     const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
   Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) override;
@@ -41,6 +44,7 @@ public:
   bool Fits(vtkTypeInt64 units, const Rectangle& viewport,
     const vtkTranslucencyCapabilities& capabilities) const override;
   bool ReserveLinks() override;
+  std::vector<Texels> GetTexels() override;
   void FinishLinks() override;
   Links GetLinks() const override;
   vtkStorageAccounting::Accesses GetAccesses() const override;
@@ -65,6 +69,8 @@ protected:
     int PixelWords;       // of 4 bytes, a pixel of the tile
     int UnitWords;        // a unit
     Use Used = Use::Written;
+    const char* Sampler = nullptr; // the name of the texels that it can be fetched as,
+    int TexelWords = 0;            // and the words of one
   };
 
   virtual std::vector<Layout> GetLayouts() const = 0;
@@ -78,18 +84,26 @@ protected:
   /// Units that shaders can tell apart.
   virtual vtkTypeInt64 GetMostUnits(const Rectangle& tile) const = 0;
 
-  /// Units that were needed and fragments that were stored, of a cell's words (Shaders/Storage/CellLayout.glsl).
-  virtual vtkTypeInt64 CountUnits(const unsigned int* cell) const;
-  virtual vtkTypeInt64 CountFragments(const unsigned int* cell) const;
+  /// Whether a unit is a fragment, and none is taken in vain.
+  virtual bool UnitsAreFragments() const { return false; }
+
+  /// Of some entries of the table: the places for fragments that their pixels have taken and not filled.
+  virtual unsigned int CountFree(const unsigned int* vtkNotUsed(entries), int vtkNotUsed(count)) const { return 0; }
 
   /// After a tile was stored: the words of all its cells.
   virtual void Learn(const std::vector<unsigned int>& vtkNotUsed(cells)) {}
+
+  /// The buffer of a storage whose units are nodes (Shaders/Storage/Nodes.glsl).
+  Layout GetNodes() const;
 
   /// Words of a fragment's colour.
   int GetColorWords() const;
 
   /// Cells across and down the current tile.
   std::array<int, 2> GetCells() const;
+
+  /// Whether fragments of a pixel reach the storage in the order of drawing, one at a time.
+  bool GetKeepsDrawOrder() const { return this->KeepsDrawOrder; }
 
   /// Units are others than in the frames before.
   void ForgetUnits();
@@ -111,6 +125,14 @@ private:
   };
 
   std::vector<unsigned int> ReadCells() const;
+
+  /// After the geometry was drawn: fills in how many fragments each cell holds, as the units tell and what is free in them, for the shaders,
+  /// too. That costs less than an atomic operation a fragment. Where the order of drawing isn't kept, units may be free for other reasons, and the
+  /// shaders have counted.
+  void CountFragments(std::vector<unsigned int>& cells);
+
+  /// Units that a cell has needed.
+  vtkTypeInt64 CountUnits(const unsigned int* cell) const;
   vtkTypeInt64 GetLayoutBytes(const Layout& layout, const Rectangle& tile, vtkTypeInt64 units) const;
 
   /// The units that fragments take that are spread evenly over pixels.
@@ -142,6 +164,8 @@ private:
   vtkTypeInt64 Units = 0;           // that were needed
   vtkTypeInt64 Fragments = 0;
   vtkTypeInt64 FullestCell = 0; // fragments
+  bool KeepsDrawOrder = false;
+  std::vector<unsigned int> Entries; // the table's, as they were last counted
   Links Linked = Links::None;   // in the current tile
 };
 

@@ -22,6 +22,7 @@
 #include <string> // for GetDefines
 #include <vector> // for GetOptions
 
+class vtkTranslucencyBuffer;
 struct vtkTranslucencyCapabilities;
 struct vtkTranslucencyOption;
 
@@ -97,7 +98,7 @@ public:
     const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
 
   /// Before the first tile of a frame: what shaders need defined may change here, and nowhere else but by setting properties.
-  virtual void BeginFrame() {}
+  virtual void BeginFrame(const vtkTranslucencyCapabilities& capabilities) = 0;
 
   /// Makes ready for a tile: OutOfMemory or Complete.
   virtual Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) = 0;
@@ -123,6 +124,15 @@ public:
 
   /// Before a shader that changes the order of fragments (Shaders/Storage/SortList.glsl): false if there is no memory for that.
   virtual bool ReserveLinks() { return true; }
+
+  /// What shaders that change no fragments may fetch as texels: a buffer, by the name of its sampler.
+  struct Texels
+  {
+    const char* Sampler;
+    vtkTranslucencyBuffer* Buffer;
+    int Words; // of a texel
+  };
+  virtual std::vector<Texels> GetTexels() = 0;
 
   /// After a shader that may have.
   virtual void FinishLinks() {}

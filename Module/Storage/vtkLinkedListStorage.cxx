@@ -5,6 +5,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <numeric>
+
 vtkStandardNewMacro(vtkLinkedListStorage);
 
 //------------------------------------------------------------------------------
@@ -14,13 +16,26 @@ const char* vtkLinkedListStorage::GetShaderName() const
 }
 
 //------------------------------------------------------------------------------
+int vtkLinkedListStorage::GetUnitFragments() const
+{
+  return this->GetKeepsDrawOrder() ? NODE_RUN : 1;
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkLinkedListStorage::CountFree(const unsigned int* entries, int count) const
+{
+  return std::accumulate(entries, entries + count, 0u,
+    [](unsigned int free, unsigned int last) { return free + (NODE_RUN - last % NODE_RUN) % NODE_RUN; }); // runs begin at multiples of their length
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkCellStorage::Layout> vtkLinkedListStorage::GetLayouts() const
 {
-  return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared }, { STORAGE_BINDING_FRAGMENTS, 0, 2 + this->GetColorWords() } };
+  return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared }, this->GetNodes() };
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkLinkedListStorage::GetMostUnits(const Rectangle&) const
 {
-  return HEAD_MASK - 1; // 0 is none
+  return (HEAD_MASK - 1) / this->GetUnitFragments(); // 0 is none
 }

@@ -12,7 +12,10 @@
  * A list is in the reverse order of drawing: the last drawn first. In multi-sampled windows a fragment may join the node before it
  * (Shaders/Common/MergeSamples.glsl). The paper takes all nodes from one counter; vtkCellStorage says why this does not.
  *
- * Bytes per pixel: 4, and 16 (or 12) for each fragment, with an eighth more.
+ * A software rasterizer draws the fragments of a pixel in order and one at a time. There a pixel takes four nodes at once, side by side: a quarter of
+ * the atomic operations, and resolves read four fragments at a time (Shaders/Storage/LinkedList.glsl). What is left of the last four is empty.
+ *
+ * Bytes per pixel: 4, and 16 (or 12) for each fragment, with an eighth more; on a software rasterizer for each of four, if only one of them is there.
  */
 #ifndef vtkLinkedListStorage_h
 #define vtkLinkedListStorage_h
@@ -33,6 +36,9 @@ protected:
   ~vtkLinkedListStorage() override = default;
 
   std::vector<Layout> GetLayouts() const override;
+  int GetUnitFragments() const override;
+  bool UnitsAreFragments() const override { return !this->GetKeepsDrawOrder(); }
+  unsigned int CountFree(const unsigned int* entries, int count) const override;
   vtkTypeInt64 GetMostUnits(const Rectangle& tile) const override;
 
 private:

@@ -43,8 +43,9 @@ void vtkMBufferStorage::SetSectionLength(int fragments)
 }
 
 //------------------------------------------------------------------------------
-void vtkMBufferStorage::BeginFrame()
+void vtkMBufferStorage::BeginFrame(const vtkTranslucencyCapabilities& capabilities)
 {
+  this->Superclass::BeginFrame(capabilities);
   if (this->AutomaticSectionLength && this->LastPixels > 0)
   {
     const double mean = static_cast<double>(this->LastFragments) / static_cast<double>(this->LastPixels);

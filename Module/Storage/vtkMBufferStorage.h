@@ -35,7 +35,7 @@ public:
   void SetSectionLength(int fragments) override;
 
   vtkStorageAccounting::Design GetDesign() const override { return vtkStorageAccounting::Design::MBuffer; }
-  void BeginFrame() override;
+  void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
 
 protected:
   vtkMBufferStorage() = default;

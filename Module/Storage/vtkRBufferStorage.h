@@ -40,6 +40,7 @@ protected:
 
   std::vector<Layout> GetLayouts() const override;
   vtkTypeInt64 GetMostUnits(const Rectangle& tile) const override;
+  bool UnitsAreFragments() const override { return true; }
 
 private:
   vtkRBufferStorage(const vtkRBufferStorage&) = delete;

@@ -4,6 +4,7 @@
 #include "Storage/CellLayout.glsl"
 
 #include <algorithm>
+#include <numeric>
 
 //------------------------------------------------------------------------------
 void vtkSectionStorage::PrintSelf(ostream& os, vtkIndent indent)
@@ -64,11 +65,10 @@ const char* vtkSectionStorage::GetShaderName() const
 //------------------------------------------------------------------------------
 std::vector<vtkCellStorage::Layout> vtkSectionStorage::GetLayouts() const
 {
-  const int fragmentWords = 1 + this->GetColorWords() + (this->Samples > 1 ? 1 : 0);
-  const int unitWords = this->SectionLength * fragmentWords;
-  const int pixelWords = this->GetPixelFragments() * fragmentWords;
-  return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared }, { STORAGE_BINDING_FRAGMENTS, pixelWords, unitWords },
-    { STORAGE_BINDING_NEXT, 0, 1 }, { STORAGE_BINDING_LINKS, this->GetPixelFragments(), this->SectionLength, Use::Links } };
+  const int words = 1 + this->GetColorWords() + (this->Samples > 1 ? 1 : 0);
+  return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared },
+    { STORAGE_BINDING_FRAGMENTS, this->GetPixelFragments() * words, this->SectionLength * words, Use::Written, "fragmentTexels", 4 },
+    { STORAGE_BINDING_NEXT, 0, 1, Use::Written, "nextTexels", 1 }, { STORAGE_BINDING_LINKS, this->GetPixelFragments(), this->SectionLength, Use::Links } };
 }
 
 //------------------------------------------------------------------------------
@@ -83,14 +83,8 @@ vtkTypeInt64 vtkSectionStorage::GetMostUnits(const Rectangle& tile) const
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkSectionStorage::CountUnits(const unsigned int* cell) const
+unsigned int vtkSectionStorage::CountFree(const unsigned int* entries, int count) const
 {
-  const vtkTypeInt64 inserted = cell[CELL_INSERTED];
-  return this->Superclass::CountUnits(cell) + (inserted + this->SectionLength - 1) / this->SectionLength;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkSectionStorage::CountFragments(const unsigned int* cell) const
-{
-  return cell[CELL_FRAGMENTS];
+  const unsigned int mask = (1u << this->GetFreeBits()) - 1u;
+  return std::accumulate(entries, entries + count, 0u, [mask](unsigned int free, unsigned int entry) { return free + (entry & mask); });
 }

@@ -53,8 +53,7 @@ protected:
   std::vector<Layout> GetLayouts() const override;
   int GetUnitFragments() const override { return this->SectionLength; }
   vtkTypeInt64 GetMostUnits(const Rectangle& tile) const override;
-  vtkTypeInt64 CountUnits(const unsigned int* cell) const override;
-  vtkTypeInt64 CountFragments(const unsigned int* cell) const override;
+  unsigned int CountFree(const unsigned int* entries, int count) const override;
 
   int SectionLength = 4;
 

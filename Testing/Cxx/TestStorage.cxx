@@ -7,6 +7,7 @@
 #include <vtkCellStorage.h>
 #include <vtkFourierOpacityPass.h>
 #include <vtkFragmentListPass.h>
+#include <vtkLinkedListStorage.h>
 #include <vtkMBufferStorage.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -15,6 +16,7 @@
 #include <vtkProperty.h>
 #include <vtkStorageAccounting.h>
 #include <vtkTBufferStorage.h>
+#include <vtkTranslucencyCapabilities.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -472,6 +474,35 @@ TEST_F(TestStorageProperties, EmptyPixelsCostTheTBufferTheirEntry)
   const double counters = 64.0 / 256;
   EXPECT_DOUBLE_EQ(bytesOf(TBuffer, 512) - bytesOf(TBuffer, 256), pixels * (4 + counters));
   EXPECT_GE(bytesOf(MBuffer, 512) - bytesOf(MBuffer, 256), pixels * (4 + counters + 12));
+}
+
+// Fragments that resolves fetch have to be within the reach of fetches, whatever else there is room for.
+TEST_F(TestStorageProperties, HoldNoMoreThanTheDriverCanFetch)
+{
+  const vtkFragmentStorage::Rectangle viewport{ { 0, 0, 10, 10 } };
+  vtkTranslucencyCapabilities capabilities;
+  capabilities.MaximumBlockBytes = 1 << 30;
+  capabilities.MaximumTexels = 1200;
+  const auto expectMost = [&](vtkFragmentStorage* storage, int units)
+  {
+    SCOPED_TRACE(storage->GetClassName());
+    storage->BeginFrame(capabilities);
+    EXPECT_TRUE(storage->Fits(units, viewport, capabilities));
+    EXPECT_FALSE(storage->Fits(units + 1, viewport, capabilities));
+  };
+  vtkNew<vtkLinkedListStorage> lists;
+  vtkNew<vtkTBufferStorage> sections; // of four fragments in three texels
+  expectMost(lists, 1200);
+  expectMost(sections, 400);
+  capabilities.KeepsDrawOrder = true; // four nodes at a time
+  expectMost(lists, 300);
+  expectMost(sections, 400);
+  lists->SetColorFormat(vtkFragmentStorage::RGBA8); // three words in a texel of three
+  expectMost(lists, 300);
+  lists->SetChannelsAndSamples(3, 1);
+  expectMost(lists, 300);
+  lists->SetColorFormat(vtkFragmentStorage::HalfFloat); // nodes of five words are not fetched
+  EXPECT_TRUE(lists->Fits(301, viewport, capabilities));
 }
 
 TEST_F(TestStorageProperties, AnotherDesignKeepsTheOthersSettings)

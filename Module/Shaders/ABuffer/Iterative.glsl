@@ -8,6 +8,7 @@
 #ifndef UNFINISHED_LEVEL
 #error "ABuffer/Iterative.glsl needs UNFINISHED_LEVEL"
 #endif
+#define FRAGMENTS_READ_ONLY 1
 #include "Common/Fragment.glsl"
 #include "Common/Order.glsl"
 #include "Common/FinishPixel.glsl"

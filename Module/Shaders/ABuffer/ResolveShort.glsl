@@ -12,6 +12,7 @@
 #ifndef EQUAL_DEPTHS_LEVEL
 #error "ABuffer/ResolveShort.glsl needs EQUAL_DEPTHS_LEVEL"
 #endif
+#define FRAGMENTS_READ_ONLY 1
 #include "ABuffer/Blend.glsl"
 #include "ABuffer/LoadBlock.glsl"
 #include "Common/Statistics.glsl"

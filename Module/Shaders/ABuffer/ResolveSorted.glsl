@@ -3,6 +3,7 @@
 // Eight fragments a round: drivers may limit the rounds of a loop.
 //
 // Needs: COLOR_FORMAT.
+#define FRAGMENTS_READ_ONLY 1
 #include "ABuffer/Blend.glsl"
 #include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"

@@ -7,6 +7,7 @@
 #ifndef UNFINISHED_LEVEL
 #error "Absorbance/Resolve.glsl needs UNFINISHED_LEVEL"
 #endif
+#define FRAGMENTS_READ_ONLY 1
 #include "Absorbance/Weigh.glsl"
 #include "Common/FinishPixel.glsl"
 #include "Common/Fragment.glsl"

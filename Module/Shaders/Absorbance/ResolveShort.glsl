@@ -5,6 +5,7 @@
 #ifndef LONGER_LEVEL
 #error "Absorbance/ResolveShort.glsl needs LONGER_LEVEL"
 #endif
+#define FRAGMENTS_READ_ONLY 1
 #include "ABuffer/LoadBlock.glsl"
 #include "Absorbance/Weigh.glsl"
 #include "Common/FinishPixel.glsl"

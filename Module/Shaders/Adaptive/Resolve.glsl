@@ -20,6 +20,7 @@
 #ifndef TOLERANCE
 #error "Adaptive/Resolve.glsl needs TOLERANCE"
 #endif
+#define FRAGMENTS_READ_ONLY 1
 #include "Adaptive/Show.glsl"
 #define ESTIMATE_ERROR (TOLERANCE || SHOW == SHOW_ERROR)
 #include "Adaptive/Visibility.glsl"

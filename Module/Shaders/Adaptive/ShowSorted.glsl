@@ -1,6 +1,7 @@
 // Adaptive/ShowSorted.glsl: a pixel that is drawn exactly, by sorting its fragments: no error, and as many nodes as there can be.
 //
 // Needs: SHOW, COLOR_FORMAT.
+#define FRAGMENTS_READ_ONLY 1
 #include "Adaptive/Show.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/FinishPixel.glsl"

@@ -10,9 +10,9 @@
 #define CELL_NEXT 0u      // the unit that is given out next
 #define CELL_FIRST 1u     // the first unit of the cell's range
 #define CELL_END 2u       // the first one behind it
-#define CELL_FRAGMENTS 3u // sections: fragments that are stored
+#define CELL_FRAGMENTS 3u // fragments that were drawn: counted by shaders or filled in by the application, vtkCellStorage::CountFragments
 #define CELL_PIXELS 4u    // M-buffer: pixels that hold any
-#define CELL_INSERTED 5u  // sections: fragments of volumes, which are stored from the range's end
+#define CELL_INSERTED 5u  // fragments of volumes, which are stored from the range's end
 #define CELL_QUEUE 6u     // R-buffer: the fragment that is read first in the next pass
 #define CELL_PASSES 7u    // R-buffer: passes so far
 // Accesses, where they are counted. Those that may be many take two words.
@@ -26,6 +26,9 @@
 #define HEAD_MASK 0x1fffffffu
 #define LINK_BITS 24u // of the distance to the next fragment, where the coverage lies beside it
 #define LINK_MASK 0xffffffu
-#define MOST_UNITS_OF_CELL 7456540 // with the eighth more that is given to a cell, they are not farther apart
+#define MOST_FRAGMENTS_OF_CELL 7456540 // with the eighth more that is given to a cell, they are not farther apart
+
+#define NODE_RUN 4         // nodes that a pixel takes at a time where it is drawn to in order, see LinkedList.glsl
+#define MOST_TEXEL_WORDS 4 // nodes of more words are not fetched as texels
 
 #endif

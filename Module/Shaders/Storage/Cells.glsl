@@ -6,13 +6,27 @@
 // Writes need no memory barrier among each other: each unit is written by those invocations only that were given a place in it, and only
 // the atomic operations meet. The barrier between writing and reading is the application's.
 //
-// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage).
-// Gives: cellUnits, headIndex, counterOf, takeUnit, squareFragments; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are counted readAccesses,
+// A shader that changes no fragments says so by FRAGMENTS_READ_ONLY 1, and a storage then fetches them as texels of its buffer: by a path with
+// caches of its own on a GPU, and on the software rasterizer for all lanes of a vector at once, where reading a buffer is a loop over the lanes
+// that checks each word.
+//
+// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage), UNIT_LENGTH (fragments that a unit has room for),
+// UNITS_ARE_FRAGMENTS (1: it has one, and no unit is taken in vain).
+// Gives: cellUnits, headIndex, counterOfCell, counterOf, takeUnit, takePlace, squareFragments; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are counted readAccesses,
 // tableAccesses, addAccesses.
 #ifndef Cells_glsl
 #define Cells_glsl
 #ifndef COUNT_ACCESSES
 #error "Storage/Cells.glsl needs COUNT_ACCESSES"
+#endif
+#ifndef UNIT_LENGTH
+#error "Storage/Cells.glsl needs UNIT_LENGTH"
+#endif
+#ifndef UNITS_ARE_FRAGMENTS
+#error "Storage/Cells.glsl needs UNITS_ARE_FRAGMENTS"
+#endif
+#ifndef FRAGMENTS_READ_ONLY
+#define FRAGMENTS_READ_ONLY 0
 #endif
 #include "Common/Bindings.glsl"
 #include "Common/Frame.glsl"
@@ -21,7 +35,6 @@
 layout(std140, binding = UNIFORM_BINDING_STORAGE) uniform StorageLayout
 {
   uint cellShift;
-  uint cellsPerRow;
   uint cellUnits; // of all cells
 };
 
@@ -36,10 +49,15 @@ uint headIndex(ivec2 pixel)
   return uint(at.y * frameTile.z + at.x);
 }
 
+uint counterOfCell(uvec2 cell)
+{
+  uint cellsPerRow = (uint(frameTile.z - 1) >> cellShift) + 1u;
+  return (cell.y * cellsPerRow + cell.x) * CELL_WORDS;
+}
+
 uint counterOf(ivec2 pixel)
 {
-  uvec2 cell = uvec2(pixel - frameTile.xy) >> cellShift;
-  return (cell.y * cellsPerRow + cell.x) * CELL_WORDS;
+  return counterOfCell(uvec2(pixel - frameTile.xy) >> cellShift);
 }
 
 uint takeUnit(uint counter)
@@ -47,15 +65,27 @@ uint takeUnit(uint counter)
   return atomicAdd(cells[counter + CELL_NEXT], 1u);
 }
 
-// Fragments of a cell: the storage's to say.
-uint fragmentsOfCell(uint counter);
+// A place for a fragment of a volume, from the end of the cell's range on, one by one.
+#define NO_PLACE 0xffffffffu
+uint takePlace(uint counter)
+{
+  uint taken = atomicAdd(cells[counter + CELL_INSERTED], 1u);
+  bool fits = taken < (cells[counter + CELL_END] - cells[counter + CELL_NEXT]) * uint(UNIT_LENGTH);
+  return fits ? cells[counter + CELL_END] * uint(UNIT_LENGTH) - 1u - taken : NO_PLACE;
+}
 
 // About as many fragments as a pixel of the square that begins at this one holds: the mean of its cell, rounded up. 0 only if no
 // pixel of the square holds a fragment; a cell is a whole number of squares.
 uint squareFragments(ivec2 pixel)
 {
+  uint counter = counterOf(pixel);
   uint pixels = 1u << (2u * cellShift);
-  return (fragmentsOfCell(counterOf(pixel)) + pixels - 1u) / pixels;
+#if UNITS_ARE_FRAGMENTS
+  uint drawn = cells[counter + CELL_NEXT] - cells[counter + CELL_FIRST];
+#else
+  uint drawn = cells[counter + CELL_FRAGMENTS];
+#endif
+  return (drawn + cells[counter + CELL_INSERTED] + pixels - 1u) / pixels;
 }
 
 // Accesses of an invocation that reads lists. The storage says which of them count: READS_COUNT, TABLE_COUNTS.

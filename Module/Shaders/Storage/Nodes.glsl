@@ -3,10 +3,13 @@
 // Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node in 24 bits (0: none),
 // so that the coverage finds room beside it.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES.
-// Gives: writeNode, mergeIntoNode, and of what Shaders/README.md asks of a storage all but storeFragment.
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS, UNIT_LENGTH (nodes that a pixel takes at a time).
+// Gives: nodeRoom, writeNode, mergeIntoNode, and of what Shaders/README.md asks of a storage all but storeFragment.
 #ifndef Nodes_glsl
 #define Nodes_glsl
+#ifndef NODE_LINKS
+#error "Storage/Nodes.glsl needs NODE_LINKS"
+#endif
 #include "Common/Fragment.glsl"
 #include "Common/MergeSamples.glsl"
 #include "Storage/Heads.glsl"
@@ -28,6 +31,32 @@ layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer ListNodes
   uint listNodes[];
 #endif
 };
+
+#define FETCH_NODES (FRAGMENTS_READ_ONLY && NODE_WORDS <= MOST_TEXEL_WORDS)
+#if FETCH_NODES
+uniform usamplerBuffer fragmentTexels;
+#endif
+
+// The same, two words at a time, where there are such numbers: the software rasterizer stores each component on its own, and checks where to.
+#if NODE_WORDS == 4 && FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN && defined(GL_ARB_gpu_shader_int64)
+#define NODE_PAIRS 1
+layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer NodePairs
+{
+  u64vec2 nodePairs[];
+};
+#else
+#define NODE_PAIRS 0
+#endif
+
+// Nodes that the buffer has room for.
+uint nodeRoom()
+{
+#if NODE_WORDS == 4
+  return uint(listNodes.length());
+#else
+  return uint(listNodes.length()) / uint(NODE_WORDS);
+#endif
+}
 
 // The first word of a node.
 uint packLink(uint node, uint next, uint coverage)
@@ -62,7 +91,9 @@ uint unpackCoverage(uint link)
 void writeNode(uint index, uint next, Fragment fragment)
 {
   uint link = packLink(index + 1u, next, fragment.coverage);
-#if NODE_WORDS == 4
+#if NODE_PAIRS
+  nodePairs[index] = u64vec2(packUint2x32(uvec2(link, floatBitsToUint(fragment.depth))), packUint2x32(fragment.color.xy));
+#elif NODE_WORDS == 4
   listNodes[index] = uvec4(link, floatBitsToUint(fragment.depth), fragment.color.xy);
 #else
   uint word = index * uint(NODE_WORDS);
@@ -76,16 +107,13 @@ void writeNode(uint index, uint next, Fragment fragment)
 #endif
 }
 
-uint fragmentsOfCell(uint counter)
-{
-  return cells[counter + CELL_NEXT] - cells[counter + CELL_FIRST];
-}
-
 Fragment loadNode(uint node, out uint next)
 {
   COUNT_READ();
   uint last = 0u;
-#if NODE_WORDS == 4
+#if FETCH_NODES
+  uvec4 words = texelFetch(fragmentTexels, int(node) - 1);
+#elif NODE_WORDS == 4
   uvec4 words = listNodes[node - 1u];
 #else
   uint word = (node - 1u) * uint(NODE_WORDS);
@@ -152,14 +180,13 @@ void setFirstFragment(ivec2 pixel, uint node)
   setHead(pixel, node);
 }
 
-// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at. The list is read again before
-// anything is drawn again: it must not reach into the next cell's nodes.
+// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at.
 void insertFragment(ivec2 pixel, uint after, Fragment fragment)
 {
   uint counter = counterOf(pixel);
-  uint index = takeUnit(counter);
+  uint index = takePlace(counter);
   COUNT_STORE(counter);
-  if (index < cells[counter + CELL_END])
+  if (index != NO_PLACE)
   {
     uint next = heads[headIndex(pixel)];
     if (after == 0u)
@@ -185,6 +212,31 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
   return true;
 }
 
+// As many fragments as are read together: a run of nodes, where none has been moved. Those that are not there are empty. Gives the number of those
+// that are.
+#if NODE_LINKS < 2 && UNIT_LENGTH > 1
+#define READ_GROUP NODE_RUN
+
+uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
+{
+  uint run = cursor == 0u ? 0u : (cursor - 1u) / uint(UNIT_LENGTH) * uint(UNIT_LENGTH);
+  uint count = cursor - run;
+  uint next = 0u;
+  for (int i = 0; i < READ_GROUP; ++i)
+  {
+    uint place = run + uint(UNIT_LENGTH) - 1u - uint(i);
+    Fragment fragment = loadNode(place + 1u, next);
+    group[i] = EMPTY_FRAGMENT(BLOCK_EMPTY);
+    if (place < cursor)
+    {
+      group[i] = atSample(fragment);
+    }
+  }
+  cursor = cursor == 0u ? 0u : next; // of the run's first node
+  return count;
+}
+#else
 #define READ_GROUP 1
+#endif
 
 #endif

@@ -3,12 +3,14 @@
 // Each cell of pixels has a buffer of its own, the range of nodes that it takes from: fragments of one pixel lie in it in the order of drawing,
 // those of others between them. Reading them takes passes over all of it, Storage/Retrieve.glsl, which makes a list of each pixel in the end.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES.
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS.
 // Gives: what Shaders/README.md asks of a storage, queuePixels, secondDepths.
 #ifndef RBuffer_glsl
 #define RBuffer_glsl
 #define READS_COUNT 0 // of its lists: Storage/Retrieve.glsl has counted
 #define TABLE_COUNTS 0
+#define UNIT_LENGTH 1
+#define UNITS_ARE_FRAGMENTS 1
 #include "Storage/Nodes.glsl"
 
 layout(std430, binding = STORAGE_BINDING_NEXT) buffer QueuePixels

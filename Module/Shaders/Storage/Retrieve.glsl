@@ -61,7 +61,7 @@ uint putBack(uint first, uint last, uint node)
 void main()
 {
   ivec2 cell = ivec2(gl_FragCoord.xy) - frameTile.xy;
-  uint counter = (uint(cell.y) * cellsPerRow + uint(cell.x)) * CELL_WORDS;
+  uint counter = counterOfCell(uvec2(cell));
   uint pass = cells[counter + CELL_PASSES];
   uint end = cells[counter + CELL_NEXT];
   uint cursor = pass > 0u ? cells[counter + CELL_QUEUE] : cells[counter + CELL_FIRST] + 1u;

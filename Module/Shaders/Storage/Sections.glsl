@@ -40,6 +40,8 @@
 #else
 #define TABLE_COUNTS 1
 #endif
+#define UNIT_LENGTH SECTION_LENGTH
+#define UNITS_ARE_FRAGMENTS 0
 #include "Common/Fragment.glsl"
 #include "Common/MergeSamples.glsl"
 #include "Storage/Heads.glsl"
@@ -76,6 +78,14 @@ layout(std430, binding = STORAGE_BINDING_NEXT) buffer NextSections
   uint nextSections[];
 };
 
+#if FRAGMENTS_READ_ONLY
+uniform usamplerBuffer fragmentTexels; // four words each
+uniform usamplerBuffer nextTexels;
+#define NEXT_SECTION(section) texelFetch(nextTexels, int(section)).x
+#else
+#define NEXT_SECTION(section) nextSections[section]
+#endif
+
 #if NODE_LINKS
 layout(std430, binding = STORAGE_BINDING_LINKS) buffer Links
 {
@@ -90,11 +100,6 @@ uint ownSections()
 #else
   return 0u;
 #endif
-}
-
-uint fragmentsOfCell(uint counter)
-{
-  return cells[counter + CELL_FRAGMENTS];
 }
 
 void writePlace(uint place, Fragment fragment)
@@ -137,7 +142,11 @@ void writePlace(uint place, Fragment fragment)
 Fragment readPlace(uint place)
 {
 #if PLACE_WORDS == 4
+#if FRAGMENTS_READ_ONLY
+  uvec4 words = texelFetch(fragmentTexels, int(place));
+#else
   uvec4 words = places[place];
+#endif
 #define WORD_OF_VECTOR(index) words[index]
   return FRAGMENT_OF(WORD_OF_VECTOR);
 #else
@@ -173,9 +182,9 @@ uint beforeInSections(uint node)
     return place;
   }
 #if OWN_SECTIONS
-  return section < ownSections() ? 0u : nextSections[section - ownSections()] * uint(SECTION_LENGTH);
+  return section < ownSections() ? 0u : NEXT_SECTION(section - ownSections()) * uint(SECTION_LENGTH);
 #else
-  return nextSections[section] * uint(SECTION_LENGTH);
+  return NEXT_SECTION(section) * uint(SECTION_LENGTH);
 #endif
 }
 
@@ -264,7 +273,9 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
   }
 #endif
   uint counter = counterOf(pixel);
+#if FRAGMENT_ORDER != FRAGMENT_ORDER_DRAWN // elsewhere the entries tell
   atomicAdd(cells[counter + CELL_FRAGMENTS], 1u);
+#endif
   COUNT_STORE(counter);
   uint place = claimPlace(at, counter);
   if (place < places)
@@ -298,16 +309,7 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
 #if NODE_LINKS < 2 && (SECTION_LENGTH == 2 || SECTION_LENGTH == 4 || SECTION_LENGTH == 8)
 #define READ_GROUP SECTION_LENGTH
 
-#if PLACE_WORDS == 4
-#define SECTION_VECTORS places
-#elif SECTION_WORDS % 4 == 0
-#define SECTION_VECTORS placeVectors
-layout(std430, binding = STORAGE_BINDING_FRAGMENTS) readonly buffer PlaceVectors
-{
-  uvec4 placeVectors[]; // the same, four words at a time
-};
-#endif
-
+#if FRAGMENTS_READ_ONLY
 uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
 {
   for (int i = 0; i < READ_GROUP; ++i)
@@ -320,10 +322,10 @@ uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
     uint section = (cursor - 1u) / uint(SECTION_LENGTH);
     count = cursor - section * uint(SECTION_LENGTH);
     uint words[SECTION_WORDS];
-#ifdef SECTION_VECTORS
+#if SECTION_WORDS % 4 == 0
     for (int i = 0; i < SECTION_WORDS; i += 4)
     {
-      uvec4 four = SECTION_VECTORS[section * uint(SECTION_WORDS / 4) + uint(i / 4)];
+      uvec4 four = texelFetch(fragmentTexels, int(section) * (SECTION_WORDS / 4) + i / 4);
       words[i] = four.x;
       words[i + 1] = four.y;
       words[i + 2] = four.z;
@@ -348,6 +350,7 @@ uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
   }
   return count;
 }
+#endif
 #else
 #define READ_GROUP 1
 #endif
@@ -377,17 +380,15 @@ void setFirstFragment(ivec2 pixel, uint node)
   setHead(pixel, node);
 }
 
-// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at and that has been sorted. The places come from the
-// end of the cell's range, one by one.
+// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at and that has been sorted.
 void insertFragment(ivec2 pixel, uint after, Fragment fragment)
 {
   uint counter = counterOf(pixel);
-  uint inserted = atomicAdd(cells[counter + CELL_INSERTED], 1u);
-  atomicAdd(cells[counter + CELL_FRAGMENTS], 1u);
+  uint place = takePlace(counter);
   COUNT_STORE(counter);
-  if (inserted < (cells[counter + CELL_END] - cells[counter + CELL_NEXT]) * uint(SECTION_LENGTH))
+  if (place != NO_PLACE)
   {
-    uint node = (cells[counter + CELL_END] + ownSections()) * uint(SECTION_LENGTH) - inserted;
+    uint node = place + ownSections() * uint(SECTION_LENGTH) + 1u;
     uint next = firstFragment(pixel);
     if (after == 0u)
     {

@@ -5,6 +5,7 @@
 // several fragments a round: drivers may limit the rounds.
 //
 // Needs: COLOR_FORMAT, TRANSMITTANCE_CHANNELS (1).
+#define FRAGMENTS_READ_ONLY 1
 #include "Common/Bindings.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/Statistics.glsl"
