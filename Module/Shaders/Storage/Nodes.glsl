@@ -128,10 +128,10 @@ Fragment loadNode(uint node, out uint next)
 }
 
 #if MERGES_SAMPLES
-// Whether a fragment has joined the one that was stored last in its pixel; 0 if there is none.
+// Whether a fragment has joined the one that was stored last in its pixel; 0 if there is none. A node behind the last one is counted only.
 bool mergeIntoNode(uint last, Fragment fragment, float depthExtent)
 {
-  if (last != 0u)
+  if (last != 0u && last <= nodeRoom())
   {
     uint next;
     Fragment stored = loadNode(last, next);
