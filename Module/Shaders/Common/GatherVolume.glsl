@@ -96,6 +96,27 @@ bool startRay(float front, float back)
 #endif
 }
 
+// Puts a fragment behind another one of the pixel, or before all. Nobody else is at the list.
+void insertFragment(ivec2 pixel, uint after, Fragment fragment)
+{
+  uint counter = counterOf(pixel);
+  uint place = takePlace(counter);
+  COUNT_STORE(counter);
+  if (place != NO_PLACE)
+  {
+    if (after == NO_FRAGMENT)
+    {
+      setFirstFragment(pixel, storeLinked(place, firstFragment(pixel), fragment));
+    }
+    else
+    {
+      uint next;
+      loadNode(after, next);
+      linkNode(after, storeLinked(place, next, fragment));
+    }
+  }
+}
+
 // color is multiplied by its opacity. Volumes have no transmission colour.
 void storeSegment(vec4 color)
 {

@@ -180,26 +180,11 @@ void setFirstFragment(ivec2 pixel, uint node)
   setHead(pixel, node);
 }
 
-// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at.
-void insertFragment(ivec2 pixel, uint after, Fragment fragment)
+// A fragment in a place of its own, before another one. Gives what it is called.
+uint storeLinked(uint place, uint next, Fragment fragment)
 {
-  uint counter = counterOf(pixel);
-  uint index = takePlace(counter);
-  COUNT_STORE(counter);
-  if (index != NO_PLACE)
-  {
-    uint next = heads[headIndex(pixel)];
-    if (after == 0u)
-    {
-      setFirstFragment(pixel, index + 1u);
-    }
-    else
-    {
-      loadNode(after, next);
-      linkNode(after, index + 1u);
-    }
-    writeNode(index, next, fragment);
-  }
+  writeNode(place, next, fragment);
+  return place + 1u;
 }
 
 bool nextFragment(inout uint cursor, out Fragment fragment)

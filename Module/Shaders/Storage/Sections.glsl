@@ -380,28 +380,13 @@ void setFirstFragment(ivec2 pixel, uint node)
   setHead(pixel, node);
 }
 
-// Puts a fragment behind another one of its pixel, or before all, in a list that nobody else is at and that has been sorted.
-void insertFragment(ivec2 pixel, uint after, Fragment fragment)
+// A fragment in a place of its own, before another one. Gives what it is called.
+uint storeLinked(uint place, uint next, Fragment fragment)
 {
-  uint counter = counterOf(pixel);
-  uint place = takePlace(counter);
-  COUNT_STORE(counter);
-  if (place != NO_PLACE)
-  {
-    uint node = place + ownSections() * uint(SECTION_LENGTH) + 1u;
-    uint next = firstFragment(pixel);
-    if (after == 0u)
-    {
-      setFirstFragment(pixel, linkedNode(node));
-    }
-    else
-    {
-      loadNode(after, next);
-      linkNode(after, linkedNode(node));
-    }
-    writePlace(node - 1u, fragment);
-    linkNode(node, next);
-  }
+  uint node = place + ownSections() * uint(SECTION_LENGTH) + 1u;
+  writePlace(node - 1u, fragment);
+  linkNode(node, next);
+  return linkedNode(node);
 }
 #endif
 
