@@ -5,8 +5,10 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkSetGet.h" // for vtkGenericWarningMacro
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <vector>
 
@@ -24,6 +26,16 @@ std::set<std::string> Extensions()
     names.insert(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))));
   }
   return names;
+}
+
+bool AnyDrawOrder()
+{
+  const char* order = std::getenv("TRANSLUCENCY_DRAW_ORDER");
+  if (order && std::string(order) != "any")
+  {
+    vtkGenericWarningMacro("TRANSLUCENCY_DRAW_ORDER is '" << order << "', expected 'any', or that it is not set; the driver's own is taken.");
+  }
+  return order && std::string(order) == "any";
 }
 }
 
@@ -87,7 +99,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   }
 
   result.Software = llvmpipe || result.Renderer.find("softpipe") != std::string::npos;
-  result.KeepsDrawOrder = result.Software;
+  result.KeepsDrawOrder = result.Software && !AnyDrawOrder();
 
   GLint kib[4] = { 0, 0, 0, 0 };
   if (extensions.count("GL_NVX_gpu_memory_info"))

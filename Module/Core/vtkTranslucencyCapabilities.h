@@ -33,7 +33,8 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   bool Software = false;
 
   /// True if fragments of one pixel reach their shader's side effects in the order in which they were drawn. Software
-  /// rasterizers bin primitives into tiles and shade each tile in order by one thread; GPUs do not promise it.
+  /// rasterizers bin primitives into tiles and shade each tile in order by one thread; GPUs do not promise it. With
+  /// TRANSLUCENCY_DRAW_ORDER=any in the environment nobody does: what a GPU would draw, and the tests of that where there is none.
   bool KeepsDrawOrder = false;
 
   /// The largest storage block that a shader may see, in bytes: GL_MAX_SHADER_STORAGE_BLOCK_SIZE. llvmpipe says 128 MiB there, but

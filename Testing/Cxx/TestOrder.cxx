@@ -6,6 +6,8 @@
 
 #include <vtkTranslucencyStatistics.h>
 
+#include <vtksys/SystemTools.hxx>
+
 namespace
 {
 using Reference::Removal;
@@ -101,6 +103,19 @@ TEST_P(TestOrderOfExact, DrawsEqualDepthsTheSameInEachRun)
 }
 
 //------------------------------------------------------------------------------
+TEST_P(TestOrderOfExact, DrawsEqualDepthsTheSameInReversedOrderIfNoneIsKept)
+{
+  View view(EqualDepths(40));
+  view.SetPass(NewExact(GetParam()));
+  const Picture drawn = view.Render();
+  if (KeepsDrawOrder(view))
+  {
+    GTEST_SKIP() << "the driver keeps the order of drawing";
+  }
+  EXPECT_EQ(Compare(drawn, Draw(EqualDepths(40).Reversed(), NewExact(GetParam()))).Largest, 0);
+}
+
+//------------------------------------------------------------------------------
 TEST_P(TestOrderOfExact, LosesNothingOfDeepPixels)
 {
   for (int count : { 5000, 100000 })
@@ -120,6 +135,24 @@ INSTANTIATE_TEST_SUITE_P(Resolve, TestOrderOfExact,
   testing::Values(vtkABufferPass::Recursive, vtkABufferPass::Iterative),
   [](const auto& info)
   { return info.param == vtkABufferPass::Recursive ? "Recursive" : "Iterative"; });
+
+//------------------------------------------------------------------------------
+using TestOrderOfTheEnvironment = RenderTest;
+
+TEST_F(TestOrderOfTheEnvironment, ThatIsNoneIsToldAndTheDriversOwnIsTaken)
+{
+  const char* name = "TRANSLUCENCY_DRAW_ORDER";
+  std::string before;
+  const bool given = vtksys::SystemTools::GetEnv(name, before);
+  vtksys::SystemTools::PutEnv(std::string(name) + "=random");
+  View view(EqualDepths(40));
+  view.SetPass(NewExact(vtkABufferPass::Recursive));
+  view.Render();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("TRANSLUCENCY_DRAW_ORDER is 'random', expected 'any'"), std::string::npos) << messages[0];
+  given ? vtksys::SystemTools::PutEnv(std::string(name) + "=" + before) : vtksys::SystemTools::UnPutEnv(name);
+}
 
 //------------------------------------------------------------------------------
 class TestOrderOfAdaptive

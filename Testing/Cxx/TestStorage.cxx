@@ -112,7 +112,8 @@ struct Technique
   std::string Name;
   std::string Technique;
   Settings Options;
-  int AnyOrder; // what the order of depth instead of that of drawing changes, at most, in units of 1/255, as measured
+  int AnyOrder; // what the order of depth instead of that of drawing changes, at most, in units of 1/255, as measured; twice that where
+                // triangles that meet in a multi-sampled pixel do not share a fragment, and lists are longer
 };
 
 const std::vector<Technique> Techniques{
@@ -163,11 +164,12 @@ void ExpectSamePictures(const Storage& storage, const Technique& technique, cons
   const auto pass = New(storage, technique.Technique, settings);
   CellStorageOf(pass)->SetInitialFragments(16);
   view.SetPass(pass);
+  const int anyOrder = samples > 1 && !KeepsDrawOrder(view) ? 2 * technique.AnyOrder : technique.AnyOrder;
   for (int frame = 0; frame < 3; ++frame)
   {
     SCOPED_TRACE("frame " + std::to_string(frame));
     const PictureDifference difference = Compare(view.Render(), expected);
-    EXPECT_LE(difference.Largest, storage.KeepsOrder ? 0 : technique.AnyOrder) << difference;
+    EXPECT_LE(difference.Largest, storage.KeepsOrder ? 0 : anyOrder) << difference;
     testing::Test::RecordProperty("largest", std::to_string(difference.Largest));
     EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
     if (pass->GetStorageDesign() != vtkFragmentListPass::MBuffer) // which has room for every pixel, and other sections next time

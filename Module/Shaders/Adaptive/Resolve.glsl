@@ -7,8 +7,10 @@
 // without and leaves pixels that have such fragments to EQUAL_DEPTHS_LEVEL, which is this shader with EQUAL_DEPTHS 1. Pixels whose
 // loops the driver ends are left to UNFINISHED_LEVEL, which sorts.
 //
-// TOLERANCE 1: pixels with a larger estimate of their error than errorTolerance are left to FINER_LEVEL. Where samples of a pixel differ, that is
-// decided for each of them.
+// TOLERANCE 1: pixels with a larger estimate of their error than errorTolerance are left to FINER_LEVEL.
+//
+// Where samples of a pixel differ, both are decided for each of them: two triangles that meet in the pixel are often of one depth there, but
+// seldom cover the same sample.
 //
 // SHOW other than SHOW_PICTURE: the second walk gives way to Adaptive/Show.glsl.
 //
@@ -62,7 +64,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
     count += covers(fragment) ? 1 : 0;
   }
 #if !EQUAL_DEPTHS
-  if (visibility.tied)
+  if (visibility.tied && samplesAgree())
   {
     leaveToLevel(pixel, EQUAL_DEPTHS_LEVEL);
     return false;
