@@ -149,9 +149,16 @@ TEST_F(TestOrderOfTheEnvironment, ThatIsNoneIsToldAndTheDriversOwnIsTaken)
   view.SetPass(NewExact(vtkABufferPass::Recursive));
   view.Render();
   const std::vector<std::string> messages = TakeMessages();
+  const bool kept = KeepsDrawOrder(view);
+  TakeMessages();
+  vtksys::SystemTools::UnPutEnv(name);
+  EXPECT_EQ(kept, KeepsDrawOrder(view));
+  if (given)
+  {
+    vtksys::SystemTools::PutEnv(std::string(name) + "=" + before);
+  }
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_NE(messages[0].find("TRANSLUCENCY_DRAW_ORDER is 'random', expected 'any'"), std::string::npos) << messages[0];
-  given ? vtksys::SystemTools::PutEnv(std::string(name) + "=" + before) : vtksys::SystemTools::UnPutEnv(name);
 }
 
 //------------------------------------------------------------------------------
