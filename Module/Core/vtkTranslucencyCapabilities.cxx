@@ -31,11 +31,12 @@ std::set<std::string> Extensions()
 bool AnyDrawOrder()
 {
   const char* order = std::getenv("TRANSLUCENCY_DRAW_ORDER");
-  if (order && std::string(order) != "any")
+  const bool any = order && std::string(order) == "any";
+  if (order && !any)
   {
     vtkGenericWarningMacro("TRANSLUCENCY_DRAW_ORDER is '" << order << "', expected 'any', or that it is not set; the driver's own is taken.");
   }
-  return order && std::string(order) == "any";
+  return any;
 }
 }
 

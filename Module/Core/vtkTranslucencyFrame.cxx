@@ -340,11 +340,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
   this->ChooseTransmission();
   kept.GatherTime = -1;
   kept.ResolveTime = -1;
-
-  // No tile has more squares than all of them together: what was counted is not lost by growing in between.
-  kept.StatisticsBlock.Reserve(GetStatisticsBytes(this->Drawn));
-  kept.StatisticsBlock.Clear(StatisticsBytes);
-  kept.Resolved.reset();
+  kept.Resolved.emplace(); // nothing, until a shader counts: most techniques have none that does
 }
 
 //------------------------------------------------------------------------------
@@ -748,6 +744,25 @@ bool vtkTranslucencyFrame::DrawVolumes()
 }
 
 //------------------------------------------------------------------------------
+// Before a shader that counts. The first of a frame finds nothing counted.
+bool vtkTranslucencyFrame::UseStatistics()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  if (!this->CountsStatistics)
+  {
+    // No tile has more squares than all of them together: what was counted is not lost by growing in between.
+    if (!kept.StatisticsBlock.Reserve(GetStatisticsBytes(this->Drawn)))
+    {
+      return this->Fail("the driver has no memory for the resolve");
+    }
+    kept.StatisticsBlock.Clear(StatisticsBytes);
+    this->CountsStatistics = true;
+  }
+  kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // Makes what the storage holds ready to be read.
 bool vtkTranslucencyFrame::Retrieve()
 {
@@ -760,10 +775,9 @@ bool vtkTranslucencyFrame::Retrieve()
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
   const std::array<int, 2> cells = this->Storage->BeginRetrieval();
-  kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(state);
-  if (!this->PrepareProgram("Common/FullScreen.glsl", file, {}))
+  if (!this->UseStatistics() || !this->PrepareProgram("Common/FullScreen.glsl", file, {}))
   {
     return false;
   }
@@ -897,6 +911,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit)
 {
   using Size = vtkTranslucencyPixels::Size;
+  this->HasRecords = true;
   this->UseWholeViewport();
   const vtkTranslucencyCapabilities& capabilities = this->Pass->Internal->Capabilities;
   const bool locks = this->GetSelection().at("CriticalSection") == "Spinlock";
@@ -1017,6 +1032,17 @@ std::array<double, 2> vtkTranslucencyFrame::GetDepthRange() const
 }
 
 //------------------------------------------------------------------------------
+// After a stage that may have changed records of pixels. Where there are none nothing is to be waited for: what goes to targets is seen by whoever
+// reads them.
+void vtkTranslucencyFrame::FinishRecords()
+{
+  if (this->HasRecords)
+  {
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, bool* any)
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
@@ -1041,7 +1067,7 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, 
     kept.GatherError.clear();
     this->DrawGeometry(stage, gathering.Outputs > 0, any);
   }
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  this->FinishRecords();
   return kept.GatherError.empty() || this->Fail(kept.GatherError);
 }
 
@@ -1075,7 +1101,7 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
   {
     draw();
   }
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // it may have changed records
+  this->FinishRecords();
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;
 }
@@ -1172,17 +1198,15 @@ bool vtkTranslucencyFrame::Resolve(
   this->UseTile();
   const int across = SquaresAcross(this->Tile[2]);
   const int down = SquaresAcross(this->Tile[3]);
+  if (!this->UseStatistics())
+  {
+    return false;
+  }
   if (squares.Level == 0 && this->Sample == WholePixel)
   {
-    const vtkTypeInt64 bytes = GetStatisticsBytes(this->Tile);
-    if (!kept.StatisticsBlock.Reserve(bytes))
-    {
-      return this->Fail("the driver has no memory for the resolve");
-    }
     constexpr vtkTypeInt64 leftLevels = sizeof(unsigned int) * 2;
-    kept.StatisticsBlock.Clear(bytes - leftLevels, leftLevels);
+    kept.StatisticsBlock.Clear(GetStatisticsBytes(this->Tile) - leftLevels, leftLevels);
   }
-  kept.StatisticsBlock.BindStorage(STORAGE_BINDING_STATISTICS);
   program->SetUniformi("resolveLevel", squares.Level);
   program->SetUniformi("resolveFewer", squares.Fewer);
   program->SetUniformi("resolveMost", squares.Most);

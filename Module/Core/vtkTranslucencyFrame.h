@@ -234,6 +234,8 @@ private:
   static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
   void ChooseTransmission();
   Defines GetOfferedDefines() const;
+  bool UseStatistics();
+  void FinishRecords();
   bool Retrieve();
   bool CountAccesses();
   void ReportAccesses();
@@ -272,6 +274,8 @@ private:
   };
   Transmissions Transmission = Transmissions::None;
   bool Cut = false; // whether this frame has cut a tile
+  bool CountsStatistics = false; // whether a shader of this frame has counted any (Shaders/Common/Statistics.glsl)
+  bool HasRecords = false; // whether this frame has records of pixels
   int Sample = WholePixel; // that resolves see
   int Among = -1;
   vtkStorageAccounting::Histogram Counted; // where accesses are counted: of all tiles,

@@ -84,10 +84,11 @@ bool vtkTranslucencyTargets::Reserve(int width, int height, int samples, const s
     }
     else
     {
-      glTexImage2D(target, 0, static_cast<GLint>(InternalFormat(formats[i])), width, height, 0,
-        PixelFormat(formats[i]), GL_FLOAT, nullptr);
+      glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0); // before it gets memory, or drivers may take that of smaller levels, too
       glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
       glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+      glTexImage2D(target, 0, static_cast<GLint>(InternalFormat(formats[i])), width, height, 0,
+        PixelFormat(formats[i]), GL_FLOAT, nullptr);
     }
   }
   glBindTexture(target, static_cast<GLuint>(bound));
