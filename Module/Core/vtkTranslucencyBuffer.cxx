@@ -50,7 +50,6 @@ bool vtkTranslucencyBuffer::Upload(const void* data, vtkTypeInt64 bytes)
 void vtkTranslucencyBuffer::Clear(vtkTypeInt64 bytes, vtkTypeInt64 offset)
 {
   const GLuint zero = 0;
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders have written comes before
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
   glClearBufferSubData(GL_COPY_WRITE_BUFFER, GL_R32UI, static_cast<GLintptr>(offset),
     static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
@@ -60,7 +59,6 @@ void vtkTranslucencyBuffer::Clear(vtkTypeInt64 bytes, vtkTypeInt64 offset)
 //------------------------------------------------------------------------------
 void vtkTranslucencyBuffer::Download(void* data, vtkTypeInt64 bytes) const
 {
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_COPY_READ_BUFFER, this->Handle);
   glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
   glBindBuffer(GL_COPY_READ_BUFFER, 0);

@@ -1,6 +1,8 @@
 /**
  * A buffer object of OpenGL for shaders to read and write. It belongs to the context in which it was allocated and must
  * be released while that context is current; vtkOpenGLBufferObject knows no storage and no uniform buffers.
+ *
+ * After a drawing whose shaders store to it, vtkTranslucencyFrame::FinishStores comes before anything else here.
  */
 #ifndef vtkTranslucencyBuffer_h
 #define vtkTranslucencyBuffer_h

@@ -94,7 +94,6 @@ public:
       {
         this->UseUnit(texels.Sampler, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER);
         texels.Buffer->BindTexels(texels.Words);
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
       }
     }
   }
@@ -718,10 +717,16 @@ void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors, bool* a
 }
 
 //------------------------------------------------------------------------------
+// After a drawing whose shaders store to buffers: from now on other shaders see it, and the application, which may write there, too.
+void vtkTranslucencyFrame::FinishStores()
+{
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::DrawVolumes()
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   if (!this->SortLists({}))
   {
     return false;
@@ -738,7 +743,7 @@ bool vtkTranslucencyFrame::DrawVolumes()
     kept.Volumes.Gather(&one);
     kept.Gathering = false;
     kept.Hook->PostRender(&one);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // the next one changes the same lists
+    FinishStores(); // the next one changes the same lists
   }
   return true;
 }
@@ -772,7 +777,6 @@ bool vtkTranslucencyFrame::Retrieve()
   {
     return true;
   }
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   ScopedTimer timer(this->Pass->MeasureTimes, kept.ResolveTime);
   const std::array<int, 2> cells = this->Storage->BeginRetrieval();
   vtkOpenGLState* state = this->Window->GetState();
@@ -789,7 +793,7 @@ bool vtkTranslucencyFrame::Retrieve()
   for (bool any = true; any;)
   {
     any = AnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    FinishStores();
     kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   }
   kept.Resolved.reset();
@@ -862,6 +866,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
       this->UseTile();
       kept.GatherError.clear();
       this->DrawGeometry(Stage(), false);
+      FinishStores();
       outcome = storage->End();
       if (outcome == Outcome::Complete && !this->Retrieve())
       {
@@ -883,7 +888,6 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
     switch (outcome)
     {
       case Outcome::Complete:
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         if (this->Pass->CountAccesses && !this->CountAccesses())
         {
           return false;
@@ -1038,7 +1042,7 @@ void vtkTranslucencyFrame::FinishRecords()
 {
   if (this->HasRecords)
   {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    FinishStores();
   }
 }
 
@@ -1237,7 +1241,7 @@ bool vtkTranslucencyFrame::Resolve(
     this->Storage->FinishLinks();
   }
   kept.Resolved.reset();
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  FinishStores();
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;
 }

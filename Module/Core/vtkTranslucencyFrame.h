@@ -235,6 +235,7 @@ private:
   void ChooseTransmission();
   Defines GetOfferedDefines() const;
   bool UseStatistics();
+  static void FinishStores();
   void FinishRecords();
   bool Retrieve();
   bool CountAccesses();
