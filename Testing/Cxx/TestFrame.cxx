@@ -7,6 +7,7 @@
 #include <vtkFragmentStorage.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper2D.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkProperty2D.h>
 #include <vtkRendererCollection.h>
@@ -80,6 +81,23 @@ TEST_F(TestFrame, FollowsTheColorFormat)
   EXPECT_GT(pass->GetStatistics()->GetShaderBuilds(), 0);
   pass->GetStorage()->SetColorFormat(vtkFragmentStorage::HalfFloat);
   EXPECT_EQ(Compare(view.Render(), drawn).Largest, 0) << "half floats again";
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestFrame, CountsWhatItDrawsAndNotWhatEarlierOnesDid)
+{
+  AnalyticScene scene;
+  scene.Translucent.assign(7, { { 0, 0, scene.Width, scene.Height, 0.5, { { 1, 0, 0 } }, 0.5 } });
+  View view(scene);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  for (int layers = 7; layers > 0; --layers)
+  {
+    view.Render();
+    EXPECT_EQ(pass->GetStatistics()->GetDeepestPixel(), layers);
+    EXPECT_EQ(pass->GetStatistics()->GetFragments(), layers * scene.Width * scene.Height);
+    view.Renderer->RemoveViewProp(view.Renderer->GetViewProps()->GetLastProp());
+  }
 }
 
 //------------------------------------------------------------------------------
