@@ -157,6 +157,8 @@ BlendFunction GetFunction(vtkTranslucencyFrame::Blending blending)
   {
     case Blending::AddAndAttenuate:
       return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Attenuate:
+      return { GL_FUNC_ADD, { { GL_ZERO, GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
     case Blending::Minimum:
       return { GL_MIN, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
     case Blending::Maximum:

@@ -68,6 +68,7 @@ public:
     Replace,          ///< fragments take the place of what is there
     Add,              ///< all channels
     AddAndAttenuate,  ///< colour is added, alpha multiplied with 1 - alpha
+    Attenuate,        ///< all channels are multiplied with 1 - themselves
     Over,             ///< before what is there: front's colours, multiplied by their opacity, and opacity
     Filter,           ///< colour before what is there, which is multiplied by a second source colour (Shaders/Common/Output.glsl)
     Under,            ///< behind it: alpha is what is still seen, from 1 on

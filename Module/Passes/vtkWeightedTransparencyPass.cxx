@@ -1,5 +1,6 @@
 #include "vtkWeightedTransparencyPass.h"
 
+#include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFrame.h"
 #include "vtkTranslucencyOption.h"
 
@@ -110,19 +111,30 @@ std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkWeightedTransparencyPass::GetMissing(vtkOpenGLRenderWindow* window)
+{
+  const std::string missing = this->Superclass::GetMissing(window);
+  return missing.empty() && this->Method == Blended ? this->GetCapabilities(window).MissingForBuffers : missing;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWeightedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   const vtkTranslucencyFrame::Defines method{ { "WEIGHTED_METHOD", Methods[this->Method] } };
-  std::vector<int> formats{ 4, 1 };
-  std::vector<vtkTranslucencyFrame::Input> inputs{ { "weightedColors", &this->Sums, 0 }, { "weightedCounts", &this->Sums, 1 } };
-  if (frame.GetChannels() == 3)
+  const bool colored = frame.GetChannels() == 3;
+  std::vector<int> formats{ 4 };
+  if (colored)
   {
-    formats = { 4, 4 };
-    if (this->Method == Blended)
-    {
-      formats.push_back(4);
-      inputs.push_back({ "weightedWeights", &this->Sums, 2 });
-    }
+    formats.resize(this->Method == Blended ? 3 : 2, 4);
+  }
+  else if (this->Method != Sum)
+  {
+    formats.push_back(1);
+  }
+  std::vector<vtkTranslucencyFrame::Input> inputs;
+  for (std::size_t i = 0; i < formats.size(); ++i)
+  {
+    inputs.push_back({ "weightedTarget" + std::to_string(i), &this->Sums, static_cast<int>(i) });
   }
   vtkTranslucencyFrame::Gathering gathering{ "Weighted/Gather.glsl", method, static_cast<int>(formats.size()) };
   gathering.Values["WEIGHTED_TARGETS"] = std::to_string(formats.size());
@@ -131,8 +143,15 @@ bool vtkWeightedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
   if (this->Method == Blended)
   {
     gathering.Values["WEIGHT_FUNCTION"] = Equations[this->WeightFunction];
-    sums.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
-    sums.Clear = { { 0, 0, 0, 1 } };
+    if (colored)
+    {
+      sums.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
+      sums.Clear = { { 0, 0, 0, 1 } };
+    }
+    else // the product by itself: where all channels are added a software rasterizer takes less time
+    {
+      sums.Differing[1] = { vtkTranslucencyFrame::Blending::Attenuate, { { 1, 1, 1, 1 } } };
+    }
     sums.Values = { { "weightNear", static_cast<float>(this->DepthNear) },
       { "weightFar", static_cast<float>(this->DepthFar) } };
   }

@@ -14,8 +14,9 @@
  * channel, their light adds up; Blended adds the sum of opacities times the weighted mean of their colours, which is what its equation tends to.
  *
  * Stages:
- * 1. Gather: blending adds to two buffers: opacity-weighted colour and the product of 1 - opacity, or the sum of opacities (16 bytes a
- *    pixel and sample), and the sum of weights, or the number of fragments (4 bytes). With transmission colours they take 32 bytes, and 48 if the method is Blended.
+ * 1. Gather: blending adds to a buffer of opacity-weighted colour and the sum of opacities or weights (16 bytes a pixel and sample). Average counts
+ *    fragments besides, and Blended multiplies for the product of 1 - opacity (4 bytes). With transmission colours they take 32 bytes, and 48 if the
+ *    method is Blended.
  * 2. Composite: the sums become a colour.
  */
 #ifndef vtkWeightedTransparencyPass_h
@@ -86,6 +87,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
   bool KeepsTransmissionColors() const override { return true; }
 
 protected:

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -472,26 +471,4 @@ TEST_F(TestDepthPeelOptions, OutOfRangeAreErrorsAndChangeNothing)
   EXPECT_EQ(pass->GetOption("layers"), "0");
   EXPECT_EQ(pass->GetOption("tail"), "average");
   EXPECT_EQ(pass->GetOption("memory_limit"), "0");
-}
-
-//------------------------------------------------------------------------------
-using TestDepthPeelFallback = RenderTest;
-
-// CMakeLists.txt runs this with each extension that blending of single buffers needs switched off in Mesa.
-TEST_F(TestDepthPeelFallback, NamesWhatTheDriverLacks)
-{
-  const char* overridden = std::getenv("MESA_EXTENSION_OVERRIDE");
-  if (!overridden)
-  {
-    GTEST_SKIP() << "to be run with MESA_EXTENSION_OVERRIDE=-GL_...";
-  }
-  const AnalyticScene scene = RandomLayers(200, 160, 71, 20, 0.1, 0.6);
-  vtkNew<vtkDepthPeelPass> pass;
-  View view(scene);
-  view.SetPass(pass);
-  EXPECT_LE(Compare(view.Render(), scene.Compute(Reference::CompositeExact)).Largest, 4); // in bytes
-  EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
-  const std::vector<std::string> messages = TakeMessages();
-  ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("lacks " + std::string(overridden + 1)), std::string::npos) << messages[0];
 }

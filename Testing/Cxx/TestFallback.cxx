@@ -71,3 +71,38 @@ TEST_F(TestFallback, DrawsSomethingWithMultiSampling)
   EXPECT_GT(changed, 0.05) << "nothing translucent was drawn";
   EXPECT_EQ(TakeMessages().size(), 1u);
 }
+
+//------------------------------------------------------------------------------
+// Techniques that blend each buffer in a way of its own. CMakeLists.txt runs this without what they need for that.
+class TestFallbackOfBuffers
+  : public TestFallback
+  , public testing::WithParamInterface<std::string>
+{
+};
+
+TEST_P(TestFallbackOfBuffers, NamesWhatTheDriverLacks)
+{
+  const AnalyticScene scene = RandomLayers(200, 160, 71, 20, 0.1, 0.6);
+  const auto pass = NewTechnique(this->GetParam());
+  View view(scene);
+  view.SetPass(pass);
+  EXPECT_LE(Compare(view.Render(), scene.Compute(Reference::CompositeExact)).Largest, 4); // in bytes
+  EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("lacks " + this->Extension), std::string::npos) << messages[0];
+}
+
+TEST_P(TestFallbackOfBuffers, IsNotForMethodsThatNeedNone)
+{
+  const std::string method = this->GetParam() == "weighted" ? "average" : "bucket-sort";
+  const AnalyticScene scene = RandomLayers(200, 160, 71, 20, 0.1, 0.6);
+  const auto pass = NewTechnique(this->GetParam(), { { "method", method } });
+  View view(scene);
+  view.SetPass(pass);
+  view.Render();
+  EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, TestFallbackOfBuffers, testing::Values("peel", "weighted"),
+  [](const auto& info) { return info.param; });

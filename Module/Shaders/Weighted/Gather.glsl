@@ -3,11 +3,12 @@
 // - WEIGHTED_SUM (Meshkin 2007): sum of opacity * colour, and of opacity.
 // - WEIGHTED_AVERAGE (Bavoil and Myers 2008): the same, and the number of fragments.
 // - WEIGHTED_BLENDED (McGuire and Bavoil 2013, Eq. 6): sum of weight * opacity * colour, of weight * opacity, and the product of
-//   1 - opacity, for which the blending of target 0's alpha multiplies.
+//   1 - opacity, for which the blending of target 1 multiplies.
 //
 // With three channels (Common/Channels.glsl) the opacities are those of red, green and blue, and the targets hold
 // - of sum and average: opacity * colour and the number of fragments; opacities;
-// - of blended: weight * opacity * colour; opacities; weight * opacities; and each in its alpha, one channel of the product.
+// - of blended: weight * opacity * colour; opacities; weight * opacities; and each in its alpha, one channel of the product, for which blending
+//   multiplies there.
 // A fragment that hides nothing of a channel adds its light all the same. Where all do that, their weights have no opacity to be weighed
 // against: LEAST_HIDDEN of what a fragment covers is counted, but not multiplied.
 //
@@ -79,11 +80,12 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[WEIGHTED_TARGETS])
   outputs[1] = vec4(opacity, 0.0);
 #endif
 #elif WEIGHTED_METHOD == WEIGHTED_BLENDED
-  float weighted = weight(depth) * color.a;
-  outputs[0] = vec4(weighted * color.rgb, color.a);
-  outputs[1] = vec4(weighted);
+  outputs[0] = weight(depth) * color.a * vec4(color.rgb, 1.0);
+  outputs[1] = vec4(color.a);
 #else
-  outputs[0] = vec4(color.a * color.rgb, color.a);
+  outputs[0] = color.a * vec4(color.rgb, 1.0);
+#if WEIGHTED_METHOD == WEIGHTED_AVERAGE
   outputs[1] = vec4(1.0);
+#endif
 #endif
 }

@@ -12,16 +12,16 @@
 #include "Common/Target.glsl"
 #include "Weighted/Methods.glsl"
 
-uniform Target weightedColors;
-uniform Target weightedCounts;
+uniform Target weightedTarget0; // as Gather.glsl numbers them
+uniform Target weightedTarget1;
 
 #if TRANSMITTANCE_CHANNELS == 3
-uniform Target weightedWeights;
+uniform Target weightedTarget2;
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
-  vec4 colors = fetchTarget(weightedColors, pixel);
-  vec4 opacities = fetchTarget(weightedCounts, pixel);
+  vec4 colors = fetchTarget(weightedTarget0, pixel);
+  vec4 opacities = fetchTarget(weightedTarget1, pixel);
 #if WEIGHTED_METHOD == WEIGHTED_SUM
   color = colors.rgb;
   transmittance = 1.0 - opacities.rgb;
@@ -32,7 +32,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
   color = meanColor(colors.rgb, opacities.rgb, transmittance);
   return count > 0.0;
 #else
-  vec4 weights = fetchTarget(weightedWeights, pixel);
+  vec4 weights = fetchTarget(weightedTarget2, pixel);
   transmittance = vec3(colors.a, opacities.a, weights.a);
   color = meanColor(colors.rgb * opacities.rgb / max(weights.rgb, 1e-30), opacities.rgb, transmittance);
   return weights.r > 0.0;
@@ -41,19 +41,19 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 #else
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
-  vec4 sums = fetchTarget(weightedColors, pixel);
-  float count = fetchTarget(weightedCounts, pixel).r;
+  vec4 sums = fetchTarget(weightedTarget0, pixel);
 #if WEIGHTED_METHOD == WEIGHTED_SUM
   color = sums.rgb;
   transmittance = 1.0 - sums.a;
 #elif WEIGHTED_METHOD == WEIGHTED_AVERAGE
+  float count = fetchTarget(weightedTarget1, pixel).r;
   transmittance = pow(max(0.0, 1.0 - sums.a / max(count, 1.0)), count);
   color = meanColor(sums.rgb, sums.a, transmittance);
 #else
-  transmittance = sums.a;
-  color = meanColor(sums.rgb, count, transmittance);
+  transmittance = fetchTarget(weightedTarget1, pixel).r;
+  color = meanColor(sums.rgb, sums.a, transmittance);
 #endif
-  return count > 0.0;
+  return sums.a > 0.0;
 }
 #endif
 
