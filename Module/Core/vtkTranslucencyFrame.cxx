@@ -6,6 +6,7 @@
 #include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyInternals.h"
 #include "vtkTranslucencyPixels.h"
+#include "vtkTranslucencyQuery.h"
 #include "vtkTranslucencyShader.h"
 #include "vtkTranslucencyTargets.h"
 #include "vtkTranslucencyVTKVersion.h"
@@ -68,9 +69,7 @@ public:
   {
     for (const Input& input : inputs)
     {
-      const bool several = input.From->GetTarget() == GL_TEXTURE_2D_MULTISAMPLE;
-      this->UseUnit(input.Sampler, input.From->GetTarget(), several ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D);
-      glBindTexture(input.From->GetTarget(), input.From->GetTexture(input.Index));
+      this->Bind(input.Sampler, input.From->GetTarget(), input.From->GetTexture(input.Index));
     }
   }
   ~ScopedTextures()
@@ -84,6 +83,14 @@ public:
   }
   ScopedTextures(const ScopedTextures&) = delete;
   ScopedTextures& operator=(const ScopedTextures&) = delete;
+
+  /// Binds a texture of one of the two kinds of GetTarget().
+  void Bind(const std::string& sampler, unsigned int target, unsigned int texture)
+  {
+    const bool several = target == GL_TEXTURE_2D_MULTISAMPLE;
+    this->UseUnit(sampler, target, several ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D);
+    glBindTexture(target, texture);
+  }
 
   /// Binds what a storage offers and a program fetches.
   void BindTexels(vtkFragmentStorage* storage, vtkShaderProgram* program)
@@ -174,21 +181,6 @@ BlendFunction GetFunction(vtkTranslucencyFrame::Blending blending)
     default:
       return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
   }
-}
-
-// Whether anything passes the tests of what a function draws. Waits for it.
-template <typename Function>
-bool AnySamplesPass(const Function& draw)
-{
-  GLuint query = 0;
-  GLuint passed = 0;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
-  draw();
-  glEndQuery(GL_ANY_SAMPLES_PASSED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
-  glDeleteQueries(1, &query);
-  return passed != 0;
 }
 
 using Rectangle = vtkTranslucencyFrame::Rectangle;
@@ -621,7 +613,7 @@ bool vtkTranslucencyFrame::NeedsDepthTest()
   const vtkOpenGLState::ScopedglDepthFunc function(state);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_GREATER); // passes where something lies before the far plane
-  return AnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
+  return vtkTranslucencyAnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
 }
 
 //------------------------------------------------------------------------------
@@ -672,50 +664,193 @@ void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors, bool* a
   kept.GatherWritesDepth = stage.HidesBehind;
   if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
   {
-    kept.OpaqueDepth->Activate();
+    kept.ActivateOpaqueDepth();
   }
   kept.RenderedProps = 0;
-  const auto draw = [this, &kept](const vtkRenderState* state) {
-    kept.Hook->PreRender(state);
-    kept.Gathering = true;
-    this->Pass->TranslucentPass->Render(state);
-    kept.Gathering = false;
-    kept.Hook->PostRender(state);
-    kept.RenderedProps += this->Pass->TranslucentPass->GetNumberOfRenderedProps();
-  };
-  const auto drawAll = [&] {
-    if (stage.Parts.empty())
-    {
-      draw(this->State);
-    }
-    for (const Part& part : stage.Parts)
-    {
-      std::vector<vtkProp*> props{ part.Prop };
-      vtkRenderState one(this->State->GetRenderer());
-      vtkTranslucencySetProps(one, props, this->State);
-      kept.GatherUniforms["gatherPart"] = part.Number;
-      kept.GatherFaces = part.Drawn;
-      draw(&one);
-      if (part.Drawn != Faces::All) // what follows need not care for culling
-      {
-        this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
-      }
-      kept.GatherFaces = Faces::All;
-    }
-  };
+  if (colors && !stage.Targets) // what goes over the opaque picture can't be drawn again
+  {
+    this->Pass->WarnOfUnreached(kept.Unreached.LookAhead(
+      this->State, this->Window, [&kept](const vtkRenderState* some) { kept.DrawReached(some); }));
+  }
+  kept.GatherUniforms["gatherLayer"] = 0;
   if (any)
   {
-    *any = AnySamplesPass(drawAll);
+    *any = false;
   }
-  else
+  if (stage.Parts.empty())
   {
-    drawAll();
+    this->DrawProps(this->State, stage, colors, any);
+  }
+  for (const Part& part : stage.Parts)
+  {
+    std::vector<vtkProp*> props{ part.Prop };
+    vtkRenderState one(this->State->GetRenderer());
+    vtkTranslucencySetProps(one, props, this->State);
+    kept.GatherUniforms["gatherPart"] = part.Number;
+    kept.GatherFaces = part.Drawn;
+    this->DrawProps(&one, stage, colors, any);
+    if (part.Drawn != Faces::All) // what follows need not care for culling
+    {
+      this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
+    }
+    kept.GatherFaces = Faces::All;
   }
   if (kept.OpaqueDepthCaptured)
   {
-    kept.OpaqueDepth->Deactivate();
+    kept.DeactivateOpaqueDepth();
   }
   kept.Statistics->SetGeometryPasses(kept.Statistics->GetGeometryPasses() + 1);
+}
+
+//------------------------------------------------------------------------------
+// Draws the props that the text reaches together, the others one by one behind them.
+void vtkTranslucencyFrame::DrawProps(const vtkRenderState* state, const Stage& stage, bool colors, bool* any)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  std::vector<vtkProp*> reached;
+  std::vector<vtkProp*> unreached;
+  for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
+  {
+    vtkProp* prop = vtkTranslucencyProp(state, i);
+    (kept.Unreached.Has(prop) ? unreached : reached).push_back(prop);
+  }
+  if (!reached.empty())
+  {
+    vtkRenderState together(state->GetRenderer());
+    vtkTranslucencySetProps(together, reached, state);
+    const auto draw = [&] { kept.Unreached.Watch(this->Window, [&] { kept.DrawReached(&together); }); };
+    if (any)
+    {
+      *any = vtkTranslucencyAnySamplesPass(draw) || *any;
+    }
+    else
+    {
+      draw();
+    }
+    kept.RenderedProps += this->Pass->TranslucentPass->GetNumberOfRenderedProps();
+  }
+  for (vtkProp* prop : unreached)
+  {
+    // Which of its layers are back faces nobody knows: all are drawn with the front faces.
+    if (prop->HasTranslucentPolygonalGeometry() && kept.GatherFaces != Faces::Back)
+    {
+      this->DrawUnreached(prop, stage, colors, any);
+      ++kept.RenderedProps;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Draws a prop by its own shaders, layer by layer, and gives each layer to the technique as if it had come from the prop.
+void vtkTranslucencyFrame::DrawUnreached(vtkProp* prop, const Stage& stage, bool colors, bool* any)
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  vtkTranslucencyLayers& layers = kept.Layers;
+  if (!layers.Reserve(this->Drawn[0] + this->Drawn[2], this->Drawn[1] + this->Drawn[3], this->TargetSamples))
+  {
+    kept.GatherError = "the driver has no memory for the layers of " + std::string(prop->GetClassName());
+    return;
+  }
+  std::vector<vtkProp*> props{ prop };
+  vtkRenderState one(this->State->GetRenderer());
+  vtkTranslucencySetProps(one, props, this->State);
+  const auto drawProp = [&] { this->Pass->TranslucentPass->Render(&one); };
+  const auto prepare = [&]
+  {
+    this->PrepareDrawing();
+    if (colors)
+    {
+      this->PrepareColors(stage);
+    }
+  };
+  int layer = 0;
+  while (layers.Draw(this->Window, kept.Unreached.GetWatch(), layer, drawProp))
+  {
+    if (layer == vtkTranslucencyLayers::Most)
+    {
+      kept.GatherError = prop->GetClassName() + std::string(", which is drawn by itself, has more than ") + std::to_string(layer) +
+        " layers in a pixel, expected no more";
+      return;
+    }
+    kept.GatherUniforms["gatherLayer"] = layer;
+    prepare();
+    vtkShaderProgram* program = this->PrepareHandOver();
+    if (!program)
+    {
+      return;
+    }
+    ScopedTextures textures(this->Window);
+    textures.Bind("layerColors", layers.GetTarget(), layers.GetColors());
+    textures.Bind("layerDepths", layers.GetTarget(), layers.GetDepths());
+    kept.Gathering = true;
+    const bool ready = this->Pass->SetShaderParameters(program, nullptr, prop);
+    kept.Gathering = false;
+    if (!ready)
+    {
+      return;
+    }
+    SetUniforms(program, textures.GetUnits());
+    const auto handOver = [this] { this->DrawVertices(GL_TRIANGLES, 3); };
+    if (any)
+    {
+      *any = vtkTranslucencyAnySamplesPass(handOver) || *any;
+    }
+    else
+    {
+      handOver();
+    }
+    ++layer;
+  }
+  kept.GatherUniforms["gatherLayer"] = 0;
+  prepare(); // for what is drawn next
+}
+
+//------------------------------------------------------------------------------
+// The program that draws a layer as a mapper draws its fragments.
+vtkShaderProgram* vtkTranslucencyFrame::PrepareHandOver()
+{
+  vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
+  const std::string file = "Common/HandOver.glsl";
+  vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
+  const std::string key = file + kept.GatherKey;
+  const auto found = kept.Programs.find(key);
+  if (found != kept.Programs.end())
+  {
+    return cache->ReadyShaderProgram(found->second);
+  }
+  vtkTranslucencyShader fragment;
+  vtkTranslucencyShader vertex;
+  std::string text;
+  vtkShaderProgram* program = nullptr;
+  if (fragment.Assemble(file, { { "HAND_OVER_SAMPLES", std::to_string(this->TargetSamples) } }) &&
+    vertex.Assemble("Common/FullScreen.glsl", {}))
+  {
+    text = "//VTK::System::Dec\n" + fragment.GetText();
+    if (this->Pass->InsertGather(text, file))
+    {
+      program =
+        cache->ReadyShaderProgram(("//VTK::System::Dec\n" + vertex.GetText()).c_str(), text.c_str(), "");
+    }
+  }
+  if (!program)
+  {
+    kept.GatherError = "shader " + file + " does not link " + fragment.GetError() + vertex.GetError();
+    return nullptr;
+  }
+  kept.Programs[key] = program;
+  return program;
+}
+
+//------------------------------------------------------------------------------
+// After a drawing of the geometry: whether all of it was drawn by the technique.
+bool vtkTranslucencyFrame::IsDrawn()
+{
+  const std::string& error = this->Pass->Internal->GatherError;
+  if (this->Pass->Internal->Unreached.IsMissed())
+  {
+    return this->Fail("props are drawn by shaders that the technique does not reach");
+  }
+  return error.empty() || this->Fail(error);
 }
 
 //------------------------------------------------------------------------------
@@ -794,7 +929,7 @@ bool vtkTranslucencyFrame::Retrieve()
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (bool any = true; any;)
   {
-    any = AnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
+    any = vtkTranslucencyAnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
     FinishStores();
     kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   }
@@ -882,9 +1017,9 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
         }
         outcome = storage->End();
       }
-      if (!kept.GatherError.empty())
+      if (!this->IsDrawn())
       {
-        return this->Fail(kept.GatherError);
+        return false;
       }
     }
     switch (outcome)
@@ -1074,7 +1209,7 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, 
     this->DrawGeometry(stage, gathering.Outputs > 0, any);
   }
   this->FinishRecords();
-  return kept.GatherError.empty() || this->Fail(kept.GatherError);
+  return this->IsDrawn();
 }
 
 //------------------------------------------------------------------------------
@@ -1101,7 +1236,7 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
   const auto draw = [this] { this->DrawVertices(GL_TRIANGLES, 3); };
   if (any)
   {
-    *any = AnySamplesPass(draw);
+    *any = vtkTranslucencyAnySamplesPass(draw);
   }
   else
   {

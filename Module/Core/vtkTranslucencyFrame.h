@@ -249,6 +249,10 @@ private:
   void PrepareDrawing();
   void DrawVertices(unsigned int primitive, int count);
   void DrawGeometry(const Stage& stage, bool colors, bool* any = nullptr);
+  void DrawProps(const vtkRenderState* state, const Stage& stage, bool colors, bool* any);
+  void DrawUnreached(vtkProp* prop, const Stage& stage, bool colors, bool* any);
+  vtkShaderProgram* PrepareHandOver();
+  bool IsDrawn();
   void PrepareColors(const Stage& stage);
   std::map<std::string, std::string> GetSelection() const;
   bool DrawVolumes();

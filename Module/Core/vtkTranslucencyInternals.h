@@ -7,8 +7,11 @@
 #include "vtkTranslucencyBuffer.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFrame.h"
+#include "vtkTranslucencyLayers.h"
 #include "vtkTranslucencyPass.h"
+#include "vtkTranslucencyPeelingGuard.h"
 #include "vtkTranslucencyStatistics.h"
+#include "vtkTranslucencyUnreached.h"
 #include "vtkTranslucencyVolumes.h"
 
 #include "vtkNew.h"
@@ -21,10 +24,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
-class vtkDualDepthPeelingPass;
+class vtkDepthPeelingPass;
 class vtkOpenGLFramebufferObject;
 class vtkRenderStepsPass;
 class vtkShaderProgram;
@@ -92,6 +96,13 @@ struct vtkTranslucencyPass::Internals
   vtkTranslucencyFrame::Uniforms GatherUniforms; // of the stage, its samplers' texture units among them
   std::string GatherError; // of a mapper whose shader has no place for the call
 
+  /// Draws the props of a state with the pass's text in their shaders.
+  void DrawReached(const vtkRenderState* state);
+
+  // Props that the text does not reach, and what takes their fragments one layer at a time.
+  vtkTranslucencyUnreached Unreached{ { "gatherFragment(" } };
+  vtkTranslucencyLayers Layers;
+
   /// The translucent props that have a transmission colour; invalid becomes the class of one whose colour is none.
   static int CountTransmitting(const vtkRenderState* state, std::string& invalid);
 
@@ -103,6 +114,11 @@ struct vtkTranslucencyPass::Internals
   int OpaqueDepthBits = 0;
   bool OpaqueDepthCaptured = false;
   bool CaptureOpaqueDepth();
+  // Binds it to a texture unit of its own, and puts back what was bound there.
+  void ActivateOpaqueDepth();
+  void DeactivateOpaqueDepth();
+  int OpaqueDepthUnit = 0;
+  int OpaqueDepthUnitBefore = 0;
   vtkTranslucencyFrame::Rectangle Viewport{ { 0, 0, 0, 0 } };
 
   // Resolve: programs, owned by the window's shader cache, by what they were made from.
@@ -137,12 +153,14 @@ struct vtkTranslucencyPass::Internals
   vtkSmartPointer<vtkRenderStepsPass> Steps;
   vtkNew<vtkVolumetricPass> VolumesAlone;
 
-  vtkSmartPointer<vtkDualDepthPeelingPass> Peeling;
+  vtkSmartPointer<vtkDepthPeelingPass> Peeling;
+  vtkTranslucencyPeelingGuard Guard;
   std::string Warned; // the reason for a fallback that was last warned of
   std::string MissingForSamples; // the same for drawing with one sample,
   std::string MeanTransmission; // for taking transmission colours by their mean,
   std::string InvalidTransmission; // for those that are none,
-  std::string UndividedVolumes; // and for volumes that are drawn over the surfaces
+  std::string UndividedVolumes; // for volumes that are drawn over the surfaces,
+  std::set<std::string> UnreachedKinds; // and for props that the text does not reach
 };
 
 #endif

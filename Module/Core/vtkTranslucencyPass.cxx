@@ -9,7 +9,7 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
-#include "vtkDualDepthPeelingPass.h"
+#include "vtkDepthPeelingPass.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
@@ -22,6 +22,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureUnitManager.h"
 #include "vtkTranslucentPass.h"
 
 #include <algorithm>
@@ -162,6 +163,8 @@ void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
   this->StatisticsBlock.Release(alive);
   this->SampleColors.Release(alive);
   this->PixelFragments.Release(alive);
+  this->Unreached.Release();
+  this->Layers.Release(alive);
   this->GatherKey.clear();
   this->GatherText.clear();
   this->Programs.clear();
@@ -475,39 +478,85 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::RenderTiles(const vtkRenderState* state, vtkOpenGLRenderWindow* window, bool& whole)
+{
+  const vtkTranslucencyGLState found(window, true);
+  vtkTranslucencyFrame frame(this, state, window, found);
+  std::string error;
+  whole = true; // nothing has been composited yet
+  int tiles = 0;
+  while ((whole ? error.empty() : true) && frame.NextTile())
+  {
+    ++tiles;
+    if (this->RenderStages(frame))
+    {
+      whole = false;
+      continue;
+    }
+    error = frame.GetError();
+    if (!whole)
+    {
+      frame.Blend();
+    }
+  }
+  this->Internal->Statistics->SetTiles(tiles);
+  if (error.empty())
+  {
+    frame.ReportAccesses();
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::Internals::DrawReached(const vtkRenderState* state)
+{
+  this->Hook->PreRender(state);
+  this->Gathering = true;
+  this->Hook->Pass->TranslucentPass->Render(state);
+  this->Gathering = false;
+  this->Hook->PostRender(state);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::FindUnreached(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
+{
+  Internals& kept = *this->Internal;
+  if (!kept.Unreached.TakeMissed())
+  {
+    return false;
+  }
+  const vtkTranslucencyGLState found(window, true);
+  const std::string props =
+    kept.Unreached.Find(state, window, [&kept](const vtkRenderState* one) { kept.DrawReached(one); });
+  this->WarnOfUnreached(props);
+  return !props.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::WarnOfUnreached(const std::string& props)
+{
+  if (!props.empty() && this->Internal->UnreachedKinds.insert(props).second)
+  {
+    vtkWarningMacro(<< props << " draws by shaders that the pass can't reach, those of actors within it or of the user's own; it is drawn by "
+                    << "itself, once for each of its layers, which are then among all others");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
 {
   Internals& kept = *this->Internal;
-  std::string error;
-  bool whole = true; // nothing has been composited yet
+  kept.Unreached.LookAgain(state, window, [&kept](const vtkRenderState* one) { kept.DrawReached(one); });
+  bool whole = true;
+  std::string error = this->RenderTiles(state, window, whole);
+  while (whole && this->FindUnreached(state, window))
   {
-    const vtkTranslucencyGLState found(window, true);
-    vtkTranslucencyFrame frame(this, state, window, found);
-    int tiles = 0;
-    while ((whole ? error.empty() : true) && frame.NextTile())
-    {
-      ++tiles;
-      if (this->RenderStages(frame))
-      {
-        whole = false;
-        continue;
-      }
-      error = frame.GetError();
-      if (!whole)
-      {
-        frame.Blend();
-      }
-    }
-    kept.Statistics->SetTiles(tiles);
-    if (error.empty())
-    {
-      frame.ReportAccesses();
-    }
+    error = this->RenderTiles(state, window, whole);
   }
   kept.Statistics->SetFragments(kept.PlanFragments);
   kept.Statistics->SetBytes(
     kept.FrameBlock.GetBytes() + kept.StatisticsBlock.GetBytes() + kept.SampleColors.GetBytes() +
-    kept.PixelFragments.GetBytes() + this->GetTechniqueBytes());
+    kept.PixelFragments.GetBytes() + kept.Layers.GetBytes() + this->GetTechniqueBytes());
   kept.Statistics->SetGatherTime(kept.GatherTime);
   kept.Statistics->SetResolveTime(kept.ResolveTime);
   kept.Statistics->SetDeepestPixel(kept.GetResolveStatistics().DeepestPixel);
@@ -544,7 +593,7 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
 {
   Internals& kept = *this->Internal;
   const vtkTranslucencyGLState found(kept.Window, kept.Capabilities.MissingForStorage.empty());
-  // Dual depth peeling copies the depth buffer, which fails where it is multi-sampled: nothing would be drawn.
+  // Depth peeling copies the depth buffer, which fails where it is multi-sampled: nothing would be drawn.
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool peel = samples == 0;
@@ -566,17 +615,25 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
   {
     if (!kept.Peeling)
     {
-      kept.Peeling = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
+      // Not dual depth peeling, which ends too early in front of opaque surfaces (vtkStockPeelingPass).
+      kept.Peeling = vtkSmartPointer<vtkDepthPeelingPass>::New();
       kept.Peeling->SetMaximumNumberOfPeels(VTK_INT_MAX); // until every pixel is done
       kept.Peeling->SetOcclusionRatio(0);
     }
     kept.Peeling->SetTranslucentPass(this->TranslucentPass);
-    kept.Peeling->SetVolumetricPass(volumetricPass);
     drawing = kept.Peeling;
+    const std::string props = kept.Guard.Render(kept.Peeling, state, kept.Window, [&] { drawing->Render(state); });
+    if (!props.empty())
+    {
+      vtkWarningMacro(<< props << " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending");
+    }
   }
-  drawing->Render(state);
+  else
+  {
+    drawing->Render(state);
+  }
   this->NumberOfRenderedProps = drawing->GetNumberOfRenderedProps();
-  if (!peel && volumetricPass)
+  if (volumetricPass)
   {
     volumetricPass->Render(state);
     this->NumberOfRenderedProps += volumetricPass->GetNumberOfRenderedProps();
@@ -610,7 +667,14 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
     return kept.Volumes.PostReplaceShaderValues(fragmentShader, mapper->GetClassName(), kept.GatherError);
   }
   kept.Statistics->SetShaderBuilds(kept.Statistics->GetShaderBuilds() + 1);
+  this->InsertGather(fragmentShader, mapper->GetClassName()); // what it can't be put into is met when it is drawn by
+  return true;
+}
 
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::InsertGather(std::string& fragmentShader, const std::string& who)
+{
+  const Internals& kept = *this->Internal;
   const bool setsDepth = SetsDepth(fragmentShader);
   std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
   std::string declarations = kept.GatherText;
@@ -631,13 +695,18 @@ bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
   const std::string reject = std::string(tests ? "if (behindOpaque(gl_FragDepth)) { discard; }\n" : "") +
     (kept.GatherRejects ? "rejectFragment(" + depth + ");\n" : "");
 
-  const std::string who = mapper->GetClassName();
-  std::string& error = kept.GatherError;
+  std::string text = fragmentShader;
+  std::string error;
   using Shader = vtkTranslucencyShader;
-  return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&
-    Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, who, error) &&
-    Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl", call, who, error) &&
-    (reject.empty() || Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor", reject, who, error));
+  if (!Shader::Substitute(text, "//VTK::System::Dec", system, who, error) ||
+    !Shader::Substitute(text, "//VTK::DepthPeeling::Dec", declarations, who, error) ||
+    !Shader::Substitute(text, "//VTK::DepthPeeling::Impl", call, who, error) ||
+    !(reject.empty() || Shader::Substitute(text, "//VTK::DepthPeeling::PreColor", reject, who, error)))
+  {
+    return false;
+  }
+  fragmentShader = text;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -674,7 +743,7 @@ bool vtkTranslucencyPass::SetShaderParameters(
     kept.GatherError = "the depth buffer can't be copied";
     return false;
   }
-  program->SetUniformi(sampler, kept.OpaqueDepth->GetTextureUnit());
+  program->SetUniformi(sampler, kept.OpaqueDepthUnit);
   return true;
 }
 
@@ -712,6 +781,13 @@ bool vtkTranslucencyPass::Internals::CaptureOpaqueDepth()
     static_cast<int>(this->OpaqueDepth->GetHeight()) != height || bits != this->OpaqueDepthBits)
   {
     this->OpaqueDepthBits = bits;
+    // VTK makes textures in the next free unit, and leaves them bound there.
+    vtkTextureUnitManager* units = this->Window->GetTextureUnitManager();
+    const int unit = units->Allocate();
+    units->Free(unit);
+    state->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + unit));
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
     if (stencil)
     {
       this->OpaqueDepth->AllocateDepthStencil(width, height);
@@ -724,6 +800,9 @@ bool vtkTranslucencyPass::Internals::CaptureOpaqueDepth()
           : bits == 24   ? vtkTextureObject::Fixed24
                          : vtkTextureObject::Fixed16);
     }
+    this->OpaqueDepth->Deactivate();
+    state->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
   }
 
   state->PushFramebufferBindings();
@@ -741,9 +820,27 @@ bool vtkTranslucencyPass::Internals::CaptureOpaqueDepth()
   glEnable(GL_SCISSOR_TEST);
   const bool copied = glGetError() == GL_NO_ERROR;
   state->PopFramebufferBindings();
-  this->OpaqueDepth->Activate();
+  this->ActivateOpaqueDepth();
+  this->OpaqueDepth->SendParameters();
   this->OpaqueDepthCaptured = true;
   return copied;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::Internals::ActivateOpaqueDepth()
+{
+  this->OpaqueDepthUnit = this->Window->GetTextureUnitManager()->Allocate();
+  this->Window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + this->OpaqueDepthUnit));
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &this->OpaqueDepthUnitBefore);
+  glBindTexture(GL_TEXTURE_2D, this->OpaqueDepth->GetHandle());
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPass::Internals::DeactivateOpaqueDepth()
+{
+  this->Window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + this->OpaqueDepthUnit));
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(this->OpaqueDepthUnitBefore));
+  this->Window->GetTextureUnitManager()->Free(this->OpaqueDepthUnit);
 }
 
 //------------------------------------------------------------------------------

@@ -225,6 +225,13 @@ private:
 
   void RenderAlone(const vtkRenderState* state);
   void RenderGathered(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
+  // Puts the gather's text into a fragment shader that has VTK's marks for it. False, and the shader as it was, if it lacks one.
+  bool InsertGather(std::string& fragmentShader, const std::string& who);
+  // Draws all tiles. Gives what went wrong; whole becomes whether that was before anything was composited.
+  std::string RenderTiles(const vtkRenderState* state, vtkOpenGLRenderWindow* window, bool& whole);
+  // Whether props were met that the text doesn't reach; those are known from then on.
+  bool FindUnreached(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
+  void WarnOfUnreached(const std::string& props);
   // Says why, once: a warning if the driver lacks something, an error if something went wrong.
   void RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);
 

@@ -12,6 +12,7 @@
 #endif
 
 #include "vtkRenderState.h"
+#include "vtkVersionMacros.h"
 
 #include <vector>
 
@@ -37,6 +38,13 @@ inline void vtkTranslucencySetProps(
   state.SetRequiredKeys(like->GetRequiredKeys());
   state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
 }
+
+// vtkOpenGLShaderCache knows tessellation shaders from 9.4 on.
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 4)
+#define VTK_TRANSLUCENCY_TESSELLATION 1
+#else
+#define VTK_TRANSLUCENCY_TESSELLATION 0
+#endif
 
 // VTK_VERSION_CHECK and the factory macros of VTK 9.1 lack what later releases define.
 #ifndef VTK_FUTURE_CONST

@@ -16,7 +16,7 @@
 #include "vtkOpacityShadowMapPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
-#include "vtkDualDepthPeelingPass.h"
+#include "vtkStockPeelingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -32,7 +32,7 @@ namespace
 {
 vtkRenderPass* NewDualDepthPeeling()
 {
-  auto* pass = vtkDualDepthPeelingPass::New();
+  auto* pass = vtkStockPeelingPass::New();
   pass->SetTranslucentPass(vtkSmartPointer<vtkTranslucentPass>::New());
   pass->SetMaximumNumberOfPeels(VTK_INT_MAX);
   pass->SetOcclusionRatio(0);
@@ -87,7 +87,7 @@ const Technique Techniques[] = {
     NewPass<vtkTranslucentPass> },
   { "vtk-oit", "VTK's order-independent pass: a weighted average, fast and approximate",
     NewOrderIndependentTranslucent },
-  { "vtk-peel", "VTK's dual depth peeling, to the last layer", NewDualDepthPeeling },
+  { "vtk-peel", "VTK's dual depth peeling, to the last layer but where opaque surfaces lie behind everything", NewDualDepthPeeling },
 };
 
 constexpr int TechniqueCount = static_cast<int>(sizeof(Techniques) / sizeof(Techniques[0]));

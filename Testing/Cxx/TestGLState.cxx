@@ -1,6 +1,7 @@
 // OpenGL is left as it was found, without an error, whatever is drawn and also when something fails.
 #include "GLState.h"
 #include "RenderTest.h"
+#include "WatchedPass.h"
 
 #include <vtkFragmentStorage.h>
 #include <vtkObjectFactory.h>
@@ -12,36 +13,6 @@
 
 namespace
 {
-/// Renders another pass and looks at OpenGL before and after.
-class WatchedPass : public vtkRenderPass
-{
-public:
-  static WatchedPass* New();
-  vtkTypeMacro(WatchedPass, vtkRenderPass);
-
-  void Render(const vtkRenderState* state) override
-  {
-    this->ErrorsBefore = TakeGLErrors();
-    this->Before = QueryGLState();
-    this->Pass->Render(state);
-    this->ErrorsAfter = TakeGLErrors();
-    this->After = QueryGLState();
-    this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-  }
-
-  void ReleaseGraphicsResources(vtkWindow* window) override
-  {
-    this->Pass->ReleaseGraphicsResources(window);
-  }
-
-  vtkSmartPointer<vtkTranslucencyPass> Pass;
-  GLState Before;
-  GLState After;
-  std::vector<std::string> ErrorsBefore;
-  std::vector<std::string> ErrorsAfter;
-};
-vtkStandardNewMacro(WatchedPass);
-
 struct Situation
 {
   std::string Name;

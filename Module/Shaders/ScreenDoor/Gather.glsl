@@ -5,7 +5,8 @@
 // so that a flat one is kept in round(opacity * cells) cells of each period.
 //
 // With MASK_OFFSET, layers have the mask in different places: an object's front and back faces, or each primitive, are numbered, and
-// steps of the plastic number (a sequence without large gaps in two dimensions) move the mask for each number.
+// steps of the plastic number (a sequence without large gaps in two dimensions) move the mask for each number. Layers that are handed over
+// (Common/HandOver.glsl) are numbered themselves, whatever the mask: they come without faces and primitives.
 //
 // Needs: MASK_OFFSET; maskSize is a power of 2, up to 256.  Gives: gatherFragment.
 #ifndef MASK_OFFSET
@@ -24,14 +25,15 @@ layout(std430, binding = STORAGE_BINDING_TABLE) readonly buffer ScreenDoorMask
 
 uniform int maskSize;
 uniform int gatherPart;
+uniform int gatherLayer;
 
 // Which of the places of the mask is this fragment's.
 uint maskPlace()
 {
 #if MASK_OFFSET == OBJECT_OFFSET
-  return 2u * uint(gatherPart) + (gl_FrontFacing ? 0u : 1u);
+  return 2u * uint(gatherPart) + (gl_FrontFacing ? 0u : 1u) + uint(gatherLayer);
 #elif MASK_OFFSET == PRIMITIVE_OFFSET
-  return uint(gatherPart) + uint(gl_PrimitiveID);
+  return uint(gatherPart) + uint(gl_PrimitiveID) + uint(gatherLayer);
 #else
   return 0u;
 #endif

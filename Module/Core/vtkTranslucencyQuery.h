@@ -1,0 +1,24 @@
+/**
+ * Occlusion queries.
+ */
+#ifndef vtkTranslucencyQuery_h
+#define vtkTranslucencyQuery_h
+
+#include "vtkTranslucencyVTKVersion.h"
+
+/// Whether anything passes the tests of what a function draws. Waits for it. Queries can't be nested.
+template <typename Function>
+bool vtkTranslucencyAnySamplesPass(const Function& draw)
+{
+  GLuint query = 0;
+  GLuint passed = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
+  draw();
+  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
+  glDeleteQueries(1, &query);
+  return passed != 0;
+}
+
+#endif

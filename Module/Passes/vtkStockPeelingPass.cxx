@@ -1,0 +1,44 @@
+#include "vtkStockPeelingPass.h"
+
+#include "vtkTranslucencyGLState.h"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+vtkStandardNewMacro(vtkStockPeelingPass);
+
+//------------------------------------------------------------------------------
+void vtkStockPeelingPass::Render(const vtkRenderState* state)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  if (samples > 0)
+  {
+    if (!this->Refused)
+    {
+      vtkErrorMacro(<< "VTK's depth peeling can't draw in a window of " << samples
+                    << " samples a pixel, expected 0 (vtkRenderWindow::SetMultiSamples); drawing by blending, in drawing order, instead");
+    }
+    this->Refused = true;
+    this->NumberOfRenderedProps = 0;
+    for (vtkRenderPass* pass : { this->TranslucentPass, this->VolumetricPass })
+    {
+      if (pass)
+      {
+        pass->Render(state);
+        this->NumberOfRenderedProps += pass->GetNumberOfRenderedProps();
+      }
+    }
+    return;
+  }
+  this->Refused = false;
+  const vtkTranslucencyGLState found(window, false);
+  const std::string props = this->Guard.Render(this, state, window, [&] { this->Superclass::Render(state); });
+  if (!props.empty())
+  {
+    vtkWarningMacro(<< props << " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending");
+  }
+}
