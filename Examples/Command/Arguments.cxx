@@ -115,7 +115,7 @@ void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, 
     ->check(CLI::IsMember({ 1, 2, 4, 8 }))
     ->capture_default_str()
     ->group(Looking);
-  command->add_option("--background", written.Background, "background: #rrggbb or a name")
+  command->add_option("--background", written.Background, "background: #rrggbb or a name, or transparent: .png, .tif and .exr then hold the opacity")
     ->group(Looking);
   command->add_option("--azimuth", written.Azimuth, "degrees to go round the scene")
     ->check(NumberIn(-Infinity, Infinity, "degrees"))
@@ -393,7 +393,7 @@ void PutTogether(const CLI::App& command, const Written& written, Arguments& arg
   }
   if (given("--background"))
   {
-    arguments.Background = ParseColor("--background", written.Background);
+    arguments.Behind = ParseBackground("--background", written.Background);
   }
 }
 }

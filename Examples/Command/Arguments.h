@@ -38,7 +38,7 @@ struct Arguments
   std::optional<std::string> Title;
   std::optional<std::array<int, 2>> Size;
   int Samples = 1;
-  std::optional<Color> Background;
+  std::optional<Background> Behind;
   std::optional<double> Azimuth;
   std::optional<double> Elevation;
   std::optional<double> Zoom;

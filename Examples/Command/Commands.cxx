@@ -47,7 +47,7 @@ Task MakeTask(const Arguments& arguments)
   task.Inputs.insert(task.Inputs.end(), arguments.Inputs.begin(), arguments.Inputs.end());
   task.Setting.Size = arguments.Size.value_or(task.Setting.Size);
   task.Setting.Samples = arguments.Samples;
-  task.Setting.Background = arguments.Background.value_or(task.Setting.Background);
+  task.Setting.Behind = arguments.Behind.value_or(task.Setting.Behind);
   task.Setting.Eye.Azimuth = arguments.Azimuth.value_or(task.Setting.Eye.Azimuth);
   task.Setting.Eye.Elevation = arguments.Elevation.value_or(task.Setting.Eye.Elevation);
   task.Setting.Eye.Zoom = arguments.Zoom.value_or(task.Setting.Eye.Zoom);
@@ -195,7 +195,11 @@ void RunRender(const Arguments& arguments)
   CheckPictureSuffix(arguments.Output);
   const TechniqueChoice technique = ChooseTechniqueOf(arguments);
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples);
+  if (!task.Setting.Behind)
+  {
+    CheckHoldsTransparency(arguments.Output);
+  }
+  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
   ReadParts(task);
   OutputFiles files;
   const fs::path file = files.Add(arguments.Output);
@@ -245,7 +249,7 @@ void RunCompare(const Arguments& arguments)
     ++referenceRow;
   }
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
   ReadParts(task);
 
   const fs::path folder = arguments.Output;
@@ -269,7 +273,7 @@ void RunBench(const Arguments& arguments)
 {
   const auto techniques = ChooseTechniques(arguments.Techniques, { "blend" });
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
   ReadParts(task);
   OutputFiles files;
   const fs::path file = arguments.Output.empty() ? fs::path() : files.Add(arguments.Output);
@@ -305,7 +309,7 @@ void RunTrace(const Arguments& arguments)
 {
   CheckTraceSuffix(arguments.Output);
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
   ReadParts(task);
   OutputFiles files;
   const fs::path file = files.Add(arguments.Output);
@@ -318,7 +322,7 @@ void RunTrace(const Arguments& arguments)
 StorageReport AccountScene(const Arguments& arguments)
 {
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
   ReadParts(task);
   StorageReport report = AccountStorage(task.Title, { "the frame" }, TraceScene(task, stage), arguments.Storage);
   report.Title = task.Title;

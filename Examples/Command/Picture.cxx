@@ -6,6 +6,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -37,9 +38,9 @@ OIIO::ImageBuf ToLinearLight(const OIIO::ImageBuf& pixels)
 }
 
 //------------------------------------------------------------------------------
-Picture::Picture(int width, int height, const unsigned char* pixels)
+Picture::Picture(int width, int height, int channels, const unsigned char* pixels)
 {
-  const OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+  const OIIO::ImageSpec spec(width, height, channels, OIIO::TypeUInt8); // of four, OpenImageIO takes the last for the opacity
   const OIIO::ImageBuf upsideDown(spec, const_cast<unsigned char*>(pixels));
   this->Pixels = OIIO::ImageBufAlgo::flip(upsideDown);
   Check(this->Pixels);
@@ -87,7 +88,8 @@ Difference Picture::CompareTo(const Picture& reference) const
 //------------------------------------------------------------------------------
 Picture Picture::AbsoluteDifference(const Picture& other, float factor) const
 {
-  const auto difference = OIIO::ImageBufAlgo::absdiff(this->Pixels, other.Pixels);
+  const std::array<int, 3> colors{ { 0, 1, 2 } };
+  const auto difference = OIIO::ImageBufAlgo::channels(OIIO::ImageBufAlgo::absdiff(this->Pixels, other.Pixels), 3, colors);
   return Picture(OIIO::ImageBufAlgo::mul(difference, factor));
 }
 
@@ -99,6 +101,16 @@ void CheckPictureSuffix(const std::filesystem::path& file)
   {
     throw Failure("'" + file.string() + "' has the suffix '" + suffix + "', expected one of " +
       PictureSuffixes());
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckHoldsTransparency(const std::filesystem::path& file)
+{
+  const std::string suffix = LowerCase(file.extension().string());
+  if (suffix == ".jpg" || suffix == ".jpeg")
+  {
+    throw Failure("'" + file.string() + "' is to have a transparent background, which " + suffix + " can't hold, expected .png .exr .tif or .tiff");
   }
 }
 

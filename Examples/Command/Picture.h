@@ -21,8 +21,8 @@ struct Difference
 class Picture
 {
 public:
-  /// From rows of 8-bit RGB, the lowest first, as OpenGL gives them.
-  Picture(int width, int height, const unsigned char* pixels);
+  /// From rows of 8-bit RGB, or RGBA with colours multiplied by their opacity, the lowest first, as OpenGL gives them.
+  Picture(int width, int height, int channels, const unsigned char* pixels);
 
   /// Writes .png, .jpg, .tif with 8 bits a channel, and .exr as linear light in 32-bit floats. Throws Failure; name is
   /// what to call the file in it.
@@ -30,7 +30,7 @@ public:
 
   Difference CompareTo(const Picture& reference) const;
 
-  /// |this - other| * factor, clamped.
+  /// |this - other| * factor, clamped, of the colours.
   Picture AbsoluteDifference(const Picture& other, float factor) const;
 
 private:
@@ -40,6 +40,9 @@ private:
 
 /// Throws Failure unless pictures of the file's suffix can be written.
 void CheckPictureSuffix(const std::filesystem::path& file);
+
+/// Throws Failure if pictures of the file's suffix can't hold opacities.
+void CheckHoldsTransparency(const std::filesystem::path& file);
 
 /// ".png .exr ..."
 std::string PictureSuffixes();

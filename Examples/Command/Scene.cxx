@@ -112,6 +112,12 @@ Color ParseColor(const std::string& what, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+Background ParseBackground(const std::string& what, const std::string& text)
+{
+  return text == "transparent" ? Background() : ParseColor(what, text);
+}
+
+//------------------------------------------------------------------------------
 Color DistinctColor(int index)
 {
   // Hues a golden section apart never meet; three kinds of strength keep neighbours in hue apart.

@@ -54,12 +54,15 @@ struct View
   double Zoom = 1;
 };
 
+/// What is seen where nothing is drawn: nothing, too, where there is no colour.
+using Background = std::optional<Color>;
+
 struct Scene
 {
   std::vector<Part> Parts;
   std::vector<Light> Lights; ///< none: a headlight
   View Eye;
-  Color Background{ { 1, 1, 1 } };
+  Background Behind = Color{ { 1, 1, 1 } };
   std::array<int, 2> Size{ { 1280, 720 } };
   int Samples = 1; ///< of a pixel
 };
@@ -79,6 +82,9 @@ long long CountTriangles(const Scene& scene);
 
 /// "#rrggbb" or a name that HTML knows; throws Failure otherwise. What names the setting in the message.
 Color ParseColor(const std::string& what, const std::string& text);
+
+/// The same, or "transparent".
+Background ParseBackground(const std::string& what, const std::string& text);
 
 /// The index-th of a series of colours that are easy to tell apart.
 Color DistinctColor(int index);

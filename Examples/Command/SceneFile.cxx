@@ -126,8 +126,10 @@ SceneFile ReadSceneFile(const std::string& file)
   SceneFile scene;
   scene.Title = json.value("title", "");
   scene.Setting.Size = json.value("size", scene.Setting.Size);
-  scene.Setting.Background =
-    reader.ReadColor(json, "background").value_or(scene.Setting.Background);
+  if (json.contains("background"))
+  {
+    scene.Setting.Behind = ParseBackground(file + ": background", json.at("background").get<std::string>());
+  }
   if (json.contains("camera"))
   {
     scene.Setting.Eye = reader.ReadCamera(json.at("camera"));

@@ -69,8 +69,10 @@ vtkSmartPointer<vtkActor> CopyActor(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-Stage::Stage(const std::array<int, 2>& size, int samples)
+Stage::Stage(const std::array<int, 2>& size, int samples, bool transparent)
+  : Transparent(transparent)
 {
+  this->Window->SetAlphaBitPlanes(transparent ? 1 : 0);
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(samples > 1 ? samples : 0);
   this->Window->SwapBuffersOff();
@@ -140,7 +142,8 @@ int Stage::AddPass(const Scene& scene, const TechniqueChoice& technique, vtkRend
   player.Technique = technique;
   player.Pass = pass;
   player.Renderer = vtkSmartPointer<vtkRenderer>::New();
-  player.Renderer->SetBackground(scene.Background.data());
+  player.Renderer->SetBackground(scene.Behind.value_or(Color{ { 0, 0, 0 } }).data());
+  player.Renderer->SetBackgroundAlpha(scene.Behind ? 1 : 0);
   player.Renderer->DrawOff();
   bool transmits = false;
   for (const Part& part : scene.Parts)
@@ -292,9 +295,16 @@ Picture Stage::Read()
   const int* size = this->Window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
   const int back = 0;
-  this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, back, pixels);
+  if (this->Transparent)
+  {
+    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, back, pixels);
+  }
+  else
+  {
+    this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, back, pixels);
+  }
   Messages::Get()->ThrowError("the picture can't be read back");
-  return Picture(size[0], size[1], pixels->GetPointer(0));
+  return Picture(size[0], size[1], this->Transparent ? 4 : 3, pixels->GetPointer(0));
 }
 
 //------------------------------------------------------------------------------

@@ -65,7 +65,8 @@ class Stage
 {
 public:
   /// Opens a window; throws Failure if the driver can't draw pictures of that size, or not with so many samples a pixel.
-  explicit Stage(const std::array<int, 2>& size, int samples = 1);
+  /// transparent: whether pictures hold the opacity.
+  explicit Stage(const std::array<int, 2>& size, int samples = 1, bool transparent = false);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -117,6 +118,7 @@ private:
   /// driver's: its options are then not what they should be.
   void CheckFrame(const Player& player);
 
+  bool Transparent;
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkCamera> Camera; // of all renderers
   std::vector<Player> Players;

@@ -113,5 +113,5 @@ void DrawChart(const StorageReport& report, StorageChart chart, const std::files
   const int back = 0;
   window->GetPixelData(0, 0, ChartSize[0] - 1, ChartSize[1] - 1, back, pixels);
   Messages::Get()->ThrowError("the chart can't be drawn");
-  Picture(ChartSize[0], ChartSize[1], pixels->GetPointer(0)).Write(file, name);
+  Picture(ChartSize[0], ChartSize[1], 3, pixels->GetPointer(0)).Write(file, name);
 }

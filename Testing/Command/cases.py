@@ -4,6 +4,8 @@ import functools
 import json
 import os
 import pathlib
+import re
+import subprocess
 
 from checks import fails, png_size, read_page, run, succeeds, warns, writes_picture
 from inputs import FRAGMENTS, SUFFIXES, trace_binary, trace_csv, write
@@ -72,6 +74,23 @@ def every_technique(command, folder):
     for name in names:
         succeeds(command, folder, ["render", "ok.vtp", *SMALL, "--technique", name, "-o", name + ".png"])
     assert (folder / "exact.png").read_bytes() == (folder / "adaptive.png").read_bytes()
+
+
+def transparent_background(command, folder):
+    """Put over white, the picture is that over white; where nothing is drawn there is nothing. JPEG can't hold it."""
+    for samples in ["1", "4"]:
+        for background in ["transparent", "white"]:
+            succeeds(command, folder, ["render", "scene:spheres", *SMALL, "--background", background, "--samples", samples, "--technique",
+                                       "exact", "-o", background + ".png"])
+        subprocess.run(
+            ["oiiotool", "--fail", str(1.6 / 255), "--failpercent", "0", "--hardfail", str(1.6 / 255), "transparent.png", "--pattern",
+             "constant:color=1,1,1,1", "40x30", "4", "--over", "--ch", "R,G,B", "white.png", "--diff"],
+            cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        statistics = subprocess.run(["oiiotool", "--stats", "transparent.png"], cwd=folder, check=True, capture_output=True, text=True).stdout
+        least = re.search(r"Stats Min: ([\d ]+)", statistics)[1].split()
+        assert least[3] == "0", statistics
+    succeeds(command, folder, ["compare", "scene:spheres", *SMALL, "--background", "transparent", "--frames", "1", "--warmup", "0", "--techniques",
+                               "blend,exact", "-o", "compared"])
 
 
 def same_twice(command, folder):
@@ -373,6 +392,7 @@ CASES = {
     "Help": help_teaches,
     "RenderEveryTechnique": every_technique,
     "RenderSameTwice": same_twice,
+    "RenderTransparentBackground": transparent_background,
     "RenderMemoryLimit": limit_changes_nothing,
     "RenderStorage": storage_changes_nothing,
     "RenderSectionLengthOfNone": warns(render("ok.vtp", "-t", "exact", "--section-length", "3"),
@@ -459,6 +479,7 @@ CASES.update({
     "BadTransmission": fails(render("ok.vtp", "--transmission", "#12"), r"--transmission is '#12', expected #rrggbb or"),
     "BadOpacityNan": fails(render("ok.vtp", "--opacity", "nan"), r"--opacity.*'nan', expected a number in 0\.\.1"),
     "BadColor": fails(render("ok.vtp", "--color", "reddish"), r"--color is 'reddish', expected #rrggbb or the name"),
+    "TransparentJpeg": fails(["render", "ok.vtp", *SMALL, "--background", "transparent", "-o", "out.jpg"], r"out\.jpg.*expected \.png"),
     "BadBackground": fails(render("ok.vtp", "--background", "#12"), r"--background is '#12', expected #rrggbb"),
     "BadSamples": fails(render("ok.vtp", "--samples", "3"), r"--samples: 3 not in \{1,2,4,8\}"),
     "BadSizeZero": fails(sized("0x30"), r"--size.*'0x30', expected WIDTHxHEIGHT"),
