@@ -183,6 +183,25 @@ BlendFunction GetFunction(vtkTranslucencyFrame::Blending blending)
   }
 }
 
+// That of one of a stage's buffers.
+BlendFunction GetFunction(const vtkTranslucencyFrame::Stage& stage, int buffer)
+{
+  const auto differing = stage.Differing.find(buffer);
+  return GetFunction(differing == stage.Differing.end() ? stage.Blend : differing->second.Blend);
+}
+
+// The window's cache of OpenGL's state knows one function, that of the first buffer.
+void BlendAllAsTheFirst()
+{
+  const auto get = [](GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return static_cast<GLenum>(value);
+  };
+  glBlendEquationSeparate(get(GL_BLEND_EQUATION_RGB), get(GL_BLEND_EQUATION_ALPHA));
+  glBlendFuncSeparate(get(GL_BLEND_SRC_RGB), get(GL_BLEND_DST_RGB), get(GL_BLEND_SRC_ALPHA), get(GL_BLEND_DST_ALPHA));
+}
+
 using Rectangle = vtkTranslucencyFrame::Rectangle;
 
 Rectangle Intersect(const Rectangle& a, const Rectangle& b)
@@ -278,11 +297,9 @@ vtkTranslucencyFrame::ScopedTargets::~ScopedTargets()
   {
     return;
   }
-  if (!this->Drawn.Differing.empty()) // of which the window's cache of OpenGL's state knows nothing
+  if (!this->Drawn.Differing.empty())
   {
-    const BlendFunction common = GetFunction(this->Drawn.Blend);
-    glBlendEquation(common.Equation);
-    glBlendFuncSeparate(common.Factors[0], common.Factors[1], common.Factors[2], common.Factors[3]);
+    BlendAllAsTheFirst();
   }
   this->Drawn.Targets->Unbind();
 }
@@ -635,15 +652,15 @@ void vtkTranslucencyFrame::PrepareColors(const Stage& stage)
   state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->SetEnumState(GL_BLEND, stage.Blend != Blending::Replace);
-  const BlendFunction common = GetFunction(stage.Blend);
-  state->vtkglBlendEquation(common.Equation);
-  state->vtkglBlendFuncSeparate(common.Factors[0], common.Factors[1], common.Factors[2], common.Factors[3]);
-  for (const auto& differing : stage.Differing)
+  // The state has one function for all buffers, and later releases of VTK compare it with that of the first one.
+  const BlendFunction first = GetFunction(stage, 0);
+  state->vtkglBlendEquation(first.Equation);
+  state->vtkglBlendFuncSeparate(first.Factors[0], first.Factors[1], first.Factors[2], first.Factors[3]);
+  for (int buffer = 1; !stage.Differing.empty() && buffer < stage.Targets->GetCount(); ++buffer)
   {
-    const auto buffer = static_cast<GLuint>(differing.first);
-    const BlendFunction own = GetFunction(differing.second.Blend);
-    glBlendEquationi(buffer, own.Equation);
-    glBlendFuncSeparatei(buffer, own.Factors[0], own.Factors[1], own.Factors[2], own.Factors[3]);
+    const BlendFunction own = GetFunction(stage, buffer);
+    glBlendEquationi(static_cast<GLuint>(buffer), own.Equation);
+    glBlendFuncSeparatei(static_cast<GLuint>(buffer), own.Factors[0], own.Factors[1], own.Factors[2], own.Factors[3]);
   }
   if (stage.HidesBehind)
   {

@@ -209,7 +209,7 @@ std::vector<float> vtkTranslucencyTargets::Read(
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
-  glReadBuffer(attachment);
+  state->vtkglReadBuffer(attachment);
   vtkTranslucencyTargets means;
   if (this->Samples > 1 && means.Reserve(this->Width, this->Height, 1, { this->Formats[index] }))
   {

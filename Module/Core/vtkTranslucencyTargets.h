@@ -58,6 +58,8 @@ public:
   unsigned int GetTarget() const;
   unsigned int GetTexture(int index) const { return this->Textures[index]; }
 
+  int GetCount() const { return static_cast<int>(this->Textures.size()); }
+
   /// Bytes as allocated.
   vtkTypeInt64 GetBytes() const;
 

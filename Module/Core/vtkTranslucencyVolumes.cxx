@@ -122,7 +122,7 @@ bool vtkTranslucencyVolumes::PostReplaceShaderValues(
     declares("uniform vec3 in_slicePlaneOrigin") + this->GatherText;
   const std::string system =
     "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
-  const std::string start = "if (!startRay(zStart, zEnd)) { return vec4(0.0); }\n";
+  const std::string start = "if (!START_RAY(zStart, zEnd)) { return vec4(0.0); }\n";
   using Shader = vtkTranslucencyShader;
   return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&
     Shader::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", declarations, who, error) &&

@@ -148,11 +148,11 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
   colors.Inputs = inputs(&this->DepthBounds, &this->Terms);
   colors.Values = range;
 
+  const std::vector<vtkTranslucencyFrame::Input> sums{ { "weightedColors", &this->Colors, 0 }, { "weightSums", &this->Colors, 1 } };
   return frame.UseTargets(this->Colors, { 4, 1 }) && frame.UseTargets(this->Terms, formats) &&
     (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds))) &&
     frame.Draw(gathering, terms) && frame.Draw(gathering, colors) &&
-    frame.Composite("Absorbance/Composite.glsl", this->GetCorrection(),
-      { { "weightedColors", &this->Colors, 0 }, { "weightSums", &this->Colors, 1 } });
+    frame.Composite("Absorbance/Composite.glsl", this->GetCorrection(), sums);
 }
 
 //------------------------------------------------------------------------------

@@ -17,8 +17,9 @@ bool vtkAdditiveTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   vtkTranslucencyFrame::Stage sum;
   sum.Targets = &this->Sum;
+  const std::vector<vtkTranslucencyFrame::Input> inputs{ { "additiveSum", &this->Sum, 0 } };
   return frame.UseTargets(this->Sum, { 4 }) && frame.Draw({ "Additive/Gather.glsl", {}, 1 }, sum) &&
-    frame.Composite("Additive/Resolve.glsl", {}, { { "additiveSum", &this->Sum, 0 } });
+    frame.Composite("Additive/Resolve.glsl", {}, inputs);
 }
 
 //------------------------------------------------------------------------------

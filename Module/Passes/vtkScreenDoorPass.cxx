@@ -89,9 +89,10 @@ bool vtkScreenDoorPass::RenderStages(vtkTranslucencyFrame& frame)
   nearest.Blend = vtkTranslucencyFrame::Blending::Replace;
   nearest.HidesBehind = true;
   nearest.Values = { { "maskSize", size } };
+  const std::vector<vtkTranslucencyFrame::Input> inputs{ { "screenDoorNearest", &this->Nearest, 0 } };
   return frame.UseTargets(this->Nearest, { 4 }) && frame.UseTable(this->Ranks, this->MadeRanks) &&
     frame.Draw({ "ScreenDoor/Gather.glsl", { { "MASK_OFFSET", Offsets[this->Offset] } }, 1 }, nearest) &&
-    frame.Composite("ScreenDoor/Resolve.glsl", {}, { { "screenDoorNearest", &this->Nearest, 0 } });
+    frame.Composite("ScreenDoor/Resolve.glsl", {}, inputs);
 }
 
 //------------------------------------------------------------------------------

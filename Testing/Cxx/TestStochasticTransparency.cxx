@@ -6,7 +6,7 @@
 #include <vtkAssembly.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
-#include <vtkCompositePolyDataMapper2.h>
+#include <vtkCompositePolyDataMapper.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkMatrix4x4.h>
@@ -497,7 +497,7 @@ public:
     block->Update();
     this->Block->DeepCopy(block->GetOutput());
     this->Blocks->SetBlock(0, this->Block);
-    vtkNew<vtkCompositePolyDataMapper2> blocks;
+    vtkNew<vtkCompositePolyDataMapper> blocks;
     blocks->SetInputDataObject(this->Blocks);
     vtkNew<vtkActor> whole;
     whole->SetMapper(blocks);

@@ -10,6 +10,9 @@ from vtkmodules import all as vtk
 
 KINDS = {}
 
+# The mapper of composite data that keeps its blocks: the one of that name draws each by a mapper of its own up to VTK 9.2, and is the same since.
+BlocksMapper = getattr(vtk, "vtkCompositePolyDataMapper2", vtk.vtkCompositePolyDataMapper)
+
 
 class Kind:
     def __init__(self, build, what, share, share_of_samples, share_of_adaptive, why):
@@ -214,7 +217,7 @@ def opacity_by_block(stage):
     for i in range(4):
         blocks.SetBlock(i, configured(vtk.vtkSphereSource(), Radius=0.4, Center=(-0.6 + 0.4 * i, 0.1, 0.1 * i)).GetOutput())
     actor = vtk.vtkActor()
-    mapper = vtk.vtkCompositePolyDataMapper2()
+    mapper = BlocksMapper()
     mapper.SetInputDataObject(blocks)
     attributes = vtk.vtkCompositeDataDisplayAttributes()
     mapper.SetCompositeDataDisplayAttributes(attributes)
@@ -498,7 +501,7 @@ def multi_block(stage):
     blocks.SetBlock(0, configured(vtk.vtkSphereSource(), Radius=0.5, Center=(-0.3, 0, 0)).GetOutput())
     inner.SetBlock(0, configured(vtk.vtkConeSource(), Radius=0.5, Center=(0.4, 0, 0)).GetOutput())
     blocks.SetBlock(1, inner)
-    mapper = vtk.vtkCompositePolyDataMapper2()
+    mapper = BlocksMapper()
     mapper.SetInputDataObject(blocks)
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
@@ -512,7 +515,7 @@ def partitioned(stage):
         part = vtk.vtkPartitionedDataSet()
         part.SetPartition(0, configured(vtk.vtkSphereSource(), Radius=0.5, Center=(0.6 * i - 0.3, 0, 0)).GetOutput())
         parts.SetPartitionedDataSet(i, part)
-    mapper = vtk.vtkCompositePolyDataMapper2()
+    mapper = BlocksMapper()
     mapper.SetInputDataObject(parts)
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)

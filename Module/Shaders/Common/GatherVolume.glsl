@@ -7,7 +7,7 @@
 //
 // Needs: what the storage needs; RAY_FINDS_VALUES (1: isosurfaces, found between a sample and the one before it), RAY_MEETS_PLANE (1: the ray
 // has one sample, on a plane); the ray caster's declarations.
-// Gives: startSegments, nextSegment(front, back), startRay(front, back), storeSegment(color).
+// Gives: startSegments, nextSegment(front, back), START_RAY(front, back), storeSegment(color).
 #ifndef GatherVolume_glsl
 #define GatherVolume_glsl
 #include "Common/Gather.glsl"
@@ -56,42 +56,58 @@ bool nextSegment(out float front, out float back)
   return found;
 }
 
-// How far along the ray a position lies, in samples from the first one.
-float samplesTo(vec3 position)
+// Where the ray caster takes the first sample and the last one, or the only one, and how far two lie apart. It has them in globals, which it sets in
+// functions of its own, further down: who reads them up here draws a compiler's warning.
+struct SampledRay
 {
-  return dot(position - g_rayOrigin, g_dirStep) / dot(g_dirStep, g_dirStep);
+  vec3 first;
+  vec3 step;
+  vec3 last;
+};
+
+#if RAY_MEETS_PLANE
+#define SAMPLED_RAY SampledRay(g_rayOrigin, g_dirStep, g_intersection)
+#else
+#define SAMPLED_RAY SampledRay(g_rayOrigin, g_dirStep, g_rayTermination)
+#endif
+
+// How far along the ray a position lies, in samples from the first one.
+float samplesTo(SampledRay ray, vec3 position)
+{
+  return dot(position - ray.first, ray.step) / dot(ray.step, ray.step);
 }
 
 // The same of a window depth.
-float samplesBefore(float depth)
+float samplesBefore(SampledRay ray, float depth)
 {
   vec4 point = ip_inverseTextureDataAdjusted * in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix * in_inverseProjectionMatrix *
     WindowToNDC(gl_FragCoord.x, gl_FragCoord.y, depth);
-  return samplesTo(point.xyz / point.w);
+  return samplesTo(ray, point.xyz / point.w);
 }
 
 // Puts the ray caster at the first sample of a segment. False if no sample lies in it.
-bool startRay(float front, float back)
+#define START_RAY(front, back) startRay(SAMPLED_RAY, front, back)
+bool startRay(SampledRay ray, float front, float back)
 {
-  float first = front <= gl_FragCoord.z ? 0.0 : max(0.0, ceil(samplesBefore(front)));
+  float first = front <= gl_FragCoord.z ? 0.0 : max(0.0, ceil(samplesBefore(ray, front)));
 #if RAY_FINDS_VALUES
   first = max(0.0, first - 1.0);
 #endif
   g_fragColor = vec4(0.0);
   g_exit = false;
-  g_dataPos = g_rayOrigin + first * g_dirStep;
+  g_dataPos = ray.first + first * ray.step;
   g_currentT = 0.0;
 #if RAY_MEETS_PLANE
-  float plane = samplesTo(g_intersection);
-  return plane >= first && (segmentBefore == NO_FRAGMENT || plane < ceil(samplesBefore(back)));
+  float plane = samplesTo(ray, ray.last);
+  return plane >= first && (segmentBefore == NO_FRAGMENT || plane < ceil(samplesBefore(ray, back)));
 #else
   // Of the ray's last segment the ray caster knows the end: what is opaque, a clipping plane, or the volume's far side.
-  float toEnd = samplesTo(g_rayTermination) - first;
-  float samples = segmentBefore == NO_FRAGMENT ? toEnd + 1.0 : min(ceil(samplesBefore(back)) - first, toEnd + 1.0);
+  float toEnd = samplesTo(ray, ray.last) - first;
+  float samples = segmentBefore == NO_FRAGMENT ? toEnd + 1.0 : min(ceil(samplesBefore(ray, back)) - first, toEnd + 1.0);
   g_terminatePointMax = samples - 1.0; // it takes a sample before it looks
   // The ray caster takes the first sample of a ray without looking, too.
-  bool outside = any(greaterThan(max(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMax[0]), vec3(0.0))) ||
-    any(greaterThan(min(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMin[0]), vec3(0.0)));
+  bool outside = any(greaterThan(max(ray.step, vec3(0.0)) * (g_dataPos - in_texMax[0]), vec3(0.0))) ||
+    any(greaterThan(min(ray.step, vec3(0.0)) * (g_dataPos - in_texMin[0]), vec3(0.0)));
   return samples > 0.0 && (first == 0.0 || !outside);
 #endif
 }
