@@ -97,11 +97,16 @@ public:
   {
     for (const vtkFragmentStorage::Texels& texels : storage->GetTexels())
     {
-      if (program->IsUniformUsed(texels.Sampler))
-      {
-        this->UseUnit(texels.Sampler, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER);
-        texels.Buffer->BindTexels(texels.Words);
-      }
+      this->BindTexels(texels, program);
+    }
+  }
+
+  void BindTexels(const vtkFragmentStorage::Texels& texels, vtkShaderProgram* program)
+  {
+    if (program->IsUniformUsed(texels.Sampler))
+    {
+      this->UseUnit(texels.Sampler, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER);
+      texels.Buffer->BindTexels(texels.Words);
     }
   }
 
@@ -214,7 +219,7 @@ Rectangle Intersect(const Rectangle& a, const Rectangle& b)
 
 constexpr int MostSamples = 8; // that a node has room for
 
-constexpr vtkTypeInt64 StatisticsBytes = sizeof(unsigned int) * 4;
+constexpr vtkTypeInt64 StatisticsBytes = sizeof(unsigned int) * STATISTICS_WORDS;
 
 int SquaresAcross(int pixels)
 {
@@ -652,7 +657,7 @@ void vtkTranslucencyFrame::PrepareColors(const Stage& stage)
   state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->SetEnumState(GL_BLEND, stage.Blend != Blending::Replace);
-  // The state has one function for all buffers, and later releases of VTK compare it with that of the first one.
+  // The state has one function for all buffers, and VTK, if it is built so, compares it with that of the first one.
   const BlendFunction first = GetFunction(stage, 0);
   state->vtkglBlendEquation(first.Equation);
   state->vtkglBlendFuncSeparate(first.Factors[0], first.Factors[1], first.Factors[2], first.Factors[3]);
@@ -1375,6 +1380,7 @@ bool vtkTranslucencyFrame::Resolve(
   }
   SetUniforms(program, uniforms);
   ScopedTextures textures(this->Window);
+  textures.BindTexels({ "statisticsTexels", &kept.StatisticsBlock, 1 }, program);
   if (this->Storage)
   {
     textures.BindTexels(this->Storage, program);

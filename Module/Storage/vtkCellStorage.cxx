@@ -142,6 +142,14 @@ vtkTypeInt64 vtkCellStorage::GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pi
 }
 
 //------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkCellStorage::GetDefines() const
+{
+  std::map<std::string, std::string> defines = this->Superclass::GetDefines();
+  defines["UNITS_ARE_FRAGMENTS"] = this->UnitsAreFragments() ? "1" : "0";
+  return defines;
+}
+
+//------------------------------------------------------------------------------
 void vtkCellStorage::BeginFrame(const vtkTranslucencyCapabilities& capabilities)
 {
   if (this->KeepsDrawOrder != capabilities.KeepsDrawOrder)
@@ -498,7 +506,7 @@ vtkStorageAccounting::Accesses vtkCellStorage::GetAccesses() const
 //------------------------------------------------------------------------------
 std::vector<vtkFragmentStorage::Texels> vtkCellStorage::GetTexels()
 {
-  std::vector<Texels> texels;
+  std::vector<Texels> texels{ { "counterTexels", &this->Counters, 1 } };
   for (const Layout& layout : this->GetLayouts())
   {
     if (layout.Sampler)

@@ -32,6 +32,7 @@ public:
   vtkGetMacro(InitialFragments, vtkTypeInt64);
   ///@}
 
+  std::map<std::string, std::string> GetDefines() const override;
   void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
   std::string GetObstacle(
     const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;

@@ -10,6 +10,7 @@
 #include <vtkTranslucencyOption.h>
 #include <vtkTranslucencyPass.h>
 #include <vtkTranslucencyStatistics.h>
+#include <vtkTranslucencyVTKVersion.h>
 
 namespace
 {
@@ -242,4 +243,36 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWhereListsAreLinkedAnew)
     ExpectNothingChanges(view, watched, false);
     EXPECT_TRUE(vtkFragmentListPass::SafeDownCast(pass)->GetStorage()->GetLinks() != vtkFragmentStorage::Links::None);
   }
+}
+
+//------------------------------------------------------------------------------
+// Drivers need not have them there, and Mesa takes the wrong blocks for written if both shaders of a program have some (Documentation/Drivers.md).
+TEST_F(TestGLStateOfTechniques, VertexShadersHaveNoStorageBlocks)
+{
+  int blocks = 0;
+  for (const char* storage : { "linked-list", "t-buffer", "m-buffer", "r-buffer" })
+  {
+    View view(RandomLayers(64, 48, 3, 40, 0.05, 0.6));
+    view.SetPass(NewTechnique("exact", { { "storage", storage } }));
+    view.Render();
+    view.Window->MakeCurrent();
+    constexpr GLuint most = 1000; // names of programs and shaders
+    for (GLuint program = 1; program < most; ++program)
+    {
+      GLint count = 0;
+      if (glIsProgram(program))
+      {
+        glGetProgramInterfaceiv(program, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &count);
+      }
+      for (GLint block = 0; block < count; ++block)
+      {
+        const GLenum property = GL_REFERENCED_BY_VERTEX_SHADER;
+        GLint referenced = 0;
+        glGetProgramResourceiv(program, GL_SHADER_STORAGE_BLOCK, static_cast<GLuint>(block), 1, &property, 1, nullptr, &referenced);
+        EXPECT_EQ(referenced, 0) << storage << ", block " << block << " of program " << program;
+        ++blocks;
+      }
+    }
+  }
+  EXPECT_GT(blocks, 20) << "there are none at all";
 }

@@ -13,6 +13,7 @@
 #define STORAGE_BINDINGS 8
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
+#define STATISTICS_WORDS 4 // before those of squares, see Statistics.glsl
 #define LEVEL_SAMPLES 31  // pixels whose samples differ and wait in SampleColors.glsl
 #define LEVEL_EACH_SAMPLE 30 // pixels whose samples differ and are resolved one by one, see Samples.glsl
 

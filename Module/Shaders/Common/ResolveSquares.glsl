@@ -7,11 +7,15 @@
 // A square is drawn by the resolve whose range its number of fragments falls into, resolveFewer < n <= resolveMost, and by
 // those to whose level a pixel of it was left. Squares in which nothing is stored are not drawn.
 //
-// Needs: what the storage needs.  Gives: main.
+// Needs: SAMPLES, UNITS_ARE_FRAGMENTS.  Gives: main.
+#include "Common/Bindings.glsl"
 #include "Common/Frame.glsl"
-#include "Common/Samples.glsl"
-#include "Common/Statistics.glsl"
-#include "Storage/Selected.glsl"
+#include "Storage/SquareFragments.glsl"
+#ifndef SAMPLES
+#error "ResolveSquares.glsl needs SAMPLES"
+#endif
+
+uniform usamplerBuffer statisticsTexels; // of Statistics.glsl's block
 
 uniform int resolveLevel;
 uniform int resolveFewer;
@@ -26,10 +30,11 @@ void main()
   ivec2 squares = (frameTile.zw + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE;
   ivec2 at = ivec2(square % squares.x, square / squares.x);
   int expected = int(squareFragments(frameTile.xy + at * RESOLVE_SQUARE));
-  bool left = (squareLevels[square] & (1u << resolveLevel)) != 0u;
+  uint levels = texelFetch(statisticsTexels, STATISTICS_WORDS + square).x;
+  bool left = (levels & (1u << resolveLevel)) != 0u;
   bool drawn = left || (expected > resolveFewer && expected <= resolveMost);
 #if SAMPLES > 1
-  drawn = drawn && (resolveAmong < 0 || (squareLevels[square] & (1u << resolveAmong)) != 0u);
+  drawn = drawn && (resolveAmong < 0 || (levels & (1u << resolveAmong)) != 0u);
 #endif
 
   vec2 position = vec2(2 * at + 1) / vec2(squares) - 1.0;

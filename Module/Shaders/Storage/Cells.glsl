@@ -10,9 +10,8 @@
 // caches of its own on a GPU, and on the software rasterizer for all lanes of a vector at once, where reading a buffer is a loop over the lanes
 // that checks each word.
 //
-// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage), UNIT_LENGTH (fragments that a unit has room for),
-// UNITS_ARE_FRAGMENTS (1: it has one, and no unit is taken in vain).
-// Gives: cellUnits, headIndex, counterOfCell, counterOf, takeUnit, takePlace, squareFragments; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are counted readAccesses,
+// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage), UNIT_LENGTH (fragments that a unit has room for).
+// Gives: what CellGrid.glsl gives, takeUnit, takePlace; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are counted readAccesses,
 // tableAccesses, addAccesses.
 #ifndef Cells_glsl
 #define Cells_glsl
@@ -22,43 +21,16 @@
 #ifndef UNIT_LENGTH
 #error "Storage/Cells.glsl needs UNIT_LENGTH"
 #endif
-#ifndef UNITS_ARE_FRAGMENTS
-#error "Storage/Cells.glsl needs UNITS_ARE_FRAGMENTS"
-#endif
 #ifndef FRAGMENTS_READ_ONLY
 #define FRAGMENTS_READ_ONLY 0
 #endif
 #include "Common/Bindings.glsl"
-#include "Common/Frame.glsl"
-#include "Storage/CellLayout.glsl"
-
-layout(std140, binding = UNIFORM_BINDING_STORAGE) uniform StorageLayout
-{
-  uint cellShift;
-  uint cellUnits; // of all cells
-};
+#include "Storage/CellGrid.glsl"
 
 layout(std430, binding = STORAGE_BINDING_COUNTERS) buffer StorageCounters
 {
   uint cells[]; // CELL_WORDS each
 };
-
-uint headIndex(ivec2 pixel)
-{
-  ivec2 at = pixel - frameTile.xy;
-  return uint(at.y * frameTile.z + at.x);
-}
-
-uint counterOfCell(uvec2 cell)
-{
-  uint cellsPerRow = (uint(frameTile.z - 1) >> cellShift) + 1u;
-  return (cell.y * cellsPerRow + cell.x) * CELL_WORDS;
-}
-
-uint counterOf(ivec2 pixel)
-{
-  return counterOfCell(uvec2(pixel - frameTile.xy) >> cellShift);
-}
 
 uint takeUnit(uint counter)
 {
@@ -72,20 +44,6 @@ uint takePlace(uint counter)
   uint taken = atomicAdd(cells[counter + CELL_INSERTED], 1u);
   bool fits = taken < (cells[counter + CELL_END] - cells[counter + CELL_NEXT]) * uint(UNIT_LENGTH);
   return fits ? cells[counter + CELL_END] * uint(UNIT_LENGTH) - 1u - taken : NO_PLACE;
-}
-
-// About as many fragments as a pixel of the square that begins at this one holds: the mean of its cell, rounded up. 0 only if no
-// pixel of the square holds a fragment; a cell is a whole number of squares.
-uint squareFragments(ivec2 pixel)
-{
-  uint counter = counterOf(pixel);
-  uint pixels = 1u << (2u * cellShift);
-#if UNITS_ARE_FRAGMENTS
-  uint drawn = cells[counter + CELL_NEXT] - cells[counter + CELL_FIRST];
-#else
-  uint drawn = cells[counter + CELL_FRAGMENTS];
-#endif
-  return (drawn + cells[counter + CELL_INSERTED] + pixels - 1u) / pixels;
 }
 
 // Accesses of an invocation that reads lists. The storage says which of them count: READS_COUNT, TABLE_COUNTS.

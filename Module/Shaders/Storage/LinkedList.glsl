@@ -16,10 +16,8 @@
 #include "Storage/CellLayout.glsl"
 #if FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN
 #define UNIT_LENGTH NODE_RUN
-#define UNITS_ARE_FRAGMENTS 0
 #else
 #define UNIT_LENGTH 1
-#define UNITS_ARE_FRAGMENTS 1
 #endif
 #include "Storage/Nodes.glsl"
 

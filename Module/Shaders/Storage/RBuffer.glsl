@@ -10,7 +10,6 @@
 #define READS_COUNT 0 // of its lists: Storage/Retrieve.glsl has counted
 #define TABLE_COUNTS 0
 #define UNIT_LENGTH 1
-#define UNITS_ARE_FRAGMENTS 1
 #include "Storage/Nodes.glsl"
 
 layout(std430, binding = STORAGE_BINDING_NEXT) buffer QueuePixels

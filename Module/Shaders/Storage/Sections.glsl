@@ -41,7 +41,6 @@
 #define TABLE_COUNTS 1
 #endif
 #define UNIT_LENGTH SECTION_LENGTH
-#define UNITS_ARE_FRAGMENTS 0
 #include "Common/Fragment.glsl"
 #include "Common/MergeSamples.glsl"
 #include "Storage/Heads.glsl"
