@@ -28,6 +28,11 @@ std::set<std::string> Extensions()
   return names;
 }
 
+bool StartsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
 bool AnyDrawOrder()
 {
   const char* order = std::getenv("TRANSLUCENCY_DRAW_ORDER");
@@ -41,12 +46,16 @@ bool AnyDrawOrder()
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyCapabilities::IsRasterizer(const std::string& renderer)
+{
+  return StartsWith(renderer, "llvmpipe") || StartsWith(renderer, "softpipe");
+}
+
+//------------------------------------------------------------------------------
 vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow* window)
 {
   vtkTranslucencyCapabilities result;
   result.Renderer = window->GetState()->GetRenderer();
-
-  const bool llvmpipe = result.Renderer.find("llvmpipe") != std::string::npos;
 
   const std::set<std::string> extensions = Extensions();
   const auto missing = [&extensions](const std::vector<std::string>& needed) {
@@ -76,7 +85,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   {
     GLint64 bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-    result.MaximumBlockBytes = llvmpipe ? std::max<vtkTypeInt64>(bytes, BlockBytesOfLlvmpipe) : bytes;
+    result.MaximumBlockBytes = StartsWith(result.Renderer, "llvmpipe") ? std::max<vtkTypeInt64>(bytes, BlockBytesOfLlvmpipe) : bytes;
 
     GLint texels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
@@ -99,8 +108,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
       " pixels (its largest have " + std::to_string(points[1]) + ")";
   }
 
-  result.Software = llvmpipe || result.Renderer.find("softpipe") != std::string::npos;
-  result.KeepsDrawOrder = result.Software && !AnyDrawOrder();
+  result.Software = result.Renderer.find("llvmpipe") != std::string::npos || StartsWith(result.Renderer, "softpipe");
+  result.KeepsDrawOrder = IsRasterizer(result.Renderer) && !AnyDrawOrder();
 
   GLint kib[4] = { 0, 0, 0, 0 };
   if (extensions.count("GL_NVX_gpu_memory_info"))

@@ -29,15 +29,19 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// The extension by which a fragment shader can have a pixel to itself, in the order of drawing; empty if the driver has none.
   std::string Interlock;
 
-  /// True for Mesa's software rasterizers, where a test that the hardware of a GPU does for nothing takes its time.
+  /// True where one of Mesa's software rasterizers draws, where a test that the hardware of a GPU does for nothing takes its time.
   bool Software = false;
 
-  /// True if fragments of one pixel reach their shader's side effects in the order in which they were drawn. Software
-  /// rasterizers bin primitives into tiles and shade each tile in order by one thread; GPUs do not promise it. With
+  /// True if fragments of one pixel reach their shader's side effects in the order in which they were drawn: see IsRasterizer. With
   /// TRANSLUCENCY_DRAW_ORDER=any in the environment nobody does: what a GPU would draw, and the tests of that where there is none.
   bool KeepsDrawOrder = false;
 
-  /// The largest storage block that a shader may see, in bytes: GL_MAX_SHADER_STORAGE_BLOCK_SIZE. llvmpipe says 128 MiB there, but
+  /// Whether GL_RENDERER is that of one of Mesa's software rasterizers itself, llvmpipe or softpipe. They bin primitives into tiles and shade each tile in
+  /// order by one thread. GPUs do not promise that, nor does OpenGL on top of another interface (zink, virgl), although those have the name of what is
+  /// below in theirs: it may be llvmpipe, but which of its promises are left is up to two drivers. There, as on a GPU, only an interlock orders fragments.
+  static bool IsRasterizer(const std::string& renderer);
+
+  /// The largest storage block that a shader may see, in bytes: GL_MAX_SHADER_STORAGE_BLOCK_SIZE. llvmpipe itself says 128 MiB there, but
   /// tests addresses against the buffer that is bound, of up to 2 GiB (tried with Mesa 22.3): a picture of 32 million fragments
   /// is drawn once instead of in five tiles. TestMemoryLimit.BlocksAreAsLargeAsTheDriverCanAddress fails where that isn't so.
   vtkTypeInt64 MaximumBlockBytes = 0;

@@ -4,6 +4,7 @@
 // some drivers end a loop.
 #include "RenderTest.h"
 
+#include <vtkTranslucencyCapabilities.h>
 #include <vtkTranslucencyStatistics.h>
 
 #include <vtksys/SystemTools.hxx>
@@ -159,6 +160,20 @@ TEST_F(TestOrderOfTheEnvironment, ThatIsNoneIsToldAndTheDriversOwnIsTaken)
   }
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_NE(messages[0].find("TRANSLUCENCY_DRAW_ORDER is 'random', expected 'any'"), std::string::npos) << messages[0];
+}
+
+//------------------------------------------------------------------------------
+TEST(TestOrderOfTheDriver, IsPromisedByRasterizersThemselvesOnly)
+{
+  for (const char* renderer : { "llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe" })
+  {
+    EXPECT_TRUE(vtkTranslucencyCapabilities::IsRasterizer(renderer)) << renderer;
+  }
+  for (const char* renderer : { "zink Vulkan 1.4(llvmpipe (LLVM 21.1.8, 256 bits) (MESA_LLVMPIPE))", "virgl (llvmpipe (LLVM 15.0.7, 256 bits))",
+         "NVIDIA GeForce GTX 1080/PCIe/SSE2", "" })
+  {
+    EXPECT_FALSE(vtkTranslucencyCapabilities::IsRasterizer(renderer)) << renderer;
+  }
 }
 
 //------------------------------------------------------------------------------
