@@ -148,11 +148,15 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
   colors.Inputs = inputs(&this->DepthBounds, &this->Terms);
   colors.Values = range;
 
-  const std::vector<vtkTranslucencyFrame::Input> sums{ { "weightedColors", &this->Colors, 0 }, { "weightSums", &this->Colors, 1 } };
+  std::vector<vtkTranslucencyFrame::Input> sums{ { "gatheredColors", &this->Colors, 0 } };
+  if (this->AlphaCorrection)
+  {
+    sums.push_back({ "gatheredWeights", &this->Colors, 1 });
+  }
   return frame.UseTargets(this->Colors, { 4, 1 }) && frame.UseTargets(this->Terms, formats) &&
     (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds))) &&
     frame.Draw(gathering, terms) && frame.Draw(gathering, colors) &&
-    frame.Composite("Absorbance/Composite.glsl", this->GetCorrection(), sums);
+    frame.Composite("Common/CompositeColors.glsl", this->GetCorrection(), sums);
 }
 
 //------------------------------------------------------------------------------

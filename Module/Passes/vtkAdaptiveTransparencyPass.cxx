@@ -31,6 +31,7 @@ void vtkAdaptiveTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NodeCount: " << this->NodeCount << "\n";
   os << indent << "NodeRemoval: " << Removals[this->NodeRemoval] << "\n";
+  os << indent << "AlphaCorrection: " << this->AlphaCorrection << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Show: " << Shows[this->Show] << "\n";
 }
@@ -62,6 +63,16 @@ void vtkAdaptiveTransparencyPass::SetNodeRemoval(int removal)
   if (this->NodeRemoval != removal)
   {
     this->NodeRemoval = removal;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveTransparencyPass::SetAlphaCorrection(bool correction)
+{
+  if (this->AlphaCorrection != correction)
+  {
+    this->AlphaCorrection = correction;
     this->Modified();
   }
 }
@@ -126,6 +137,10 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
       "how a full visibility function loses a node; underestimate looks best",
       [this] { return this->GetNodeRemoval(); },
       [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } },
+    { "AlphaCorrection", "alpha_correction", Kind::Choice, 1, 0, 1, { "off", "on" },
+      "on scales colours so that the weights of a pixel's fragments add up to what they hide; off is the paper",
+      [this] { return this->GetAlphaCorrection() ? 1 : 0; },
+      [this](double value) { this->SetAlphaCorrection(value != 0); } },
     { "Tolerance", "tolerance", Kind::Real, 0, 0, 1, {},
       "pixels whose estimated error is greater take more than 'nodes' nodes: the mean error of transmittance over a pixel's depths; 0 sets no limit; "
       "not in fixed memory",
@@ -153,7 +168,8 @@ std::string vtkAdaptiveTransparencyPass::GetMissing(vtkOpenGLRenderWindow* windo
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::Defines vtkAdaptiveTransparencyPass::GetDefines(int nodes) const
 {
-  return { { "NODE_COUNT", std::to_string(nodes) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } };
+  return { { "NODE_COUNT", std::to_string(nodes) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] },
+    { "ALPHA_CORRECTION", this->AlphaCorrection ? "1" : "0" } };
 }
 
 //------------------------------------------------------------------------------
@@ -182,7 +198,20 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
   const int words = this->NodeCount + transmittances + (this->Show == Error ? wordsOfEstimate : 0);
   vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
   defines["ESTIMATE_ERROR"] = this->Show == Error ? "1" : "0";
-  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, channels };
+  std::vector<int> sums{ 4 };
+  std::vector<vtkTranslucencyFrame::Input> inputs{ { "gatheredColors", &this->Colors, 0 } };
+  if (channels == 3)
+  {
+    sums = { 4, 4, 4 };
+    inputs.push_back({ "gatheredWeights", &this->Colors, 1 });
+    inputs.push_back({ "gatheredLight", &this->Colors, 2 });
+  }
+  else if (this->AlphaCorrection)
+  {
+    sums = { 4, 1 };
+    inputs.push_back({ "gatheredWeights", &this->Colors, 1 });
+  }
+  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, static_cast<int>(sums.size()) };
   gathering.Critical = true;
   const vtkTranslucencyFrame::Stage visibility;
   vtkTranslucencyFrame::Stage shading;
@@ -191,7 +220,7 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
   shading.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
   shading.Clear = { { 0, 0, 0, 1 } };
   if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit()) ||
-    !frame.UseTargets(this->Colors, std::vector<int>(channels, 4)) ||
+    !frame.UseTargets(this->Colors, sums) ||
     !frame.Draw(gathering, visibility))
   {
     return false;
@@ -201,13 +230,8 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
     defines["SHOW"] = Shows[this->Show];
     return frame.Composite("Adaptive/ShowFixed.glsl", defines, {}, this->GetWhite());
   }
-  std::vector<vtkTranslucencyFrame::Input> inputs{ { "gatheredColors", &this->Colors, 0 } };
-  if (channels == 3)
-  {
-    inputs.push_back({ "gatheredGreens", &this->Colors, 1 });
-    inputs.push_back({ "gatheredBlues", &this->Colors, 2 });
-  }
-  return frame.Draw(gathering, shading) && frame.Composite("Common/CompositeColors.glsl", {}, inputs);
+  return frame.Draw(gathering, shading) &&
+    frame.Composite("Common/CompositeColors.glsl", { { "ALPHA_CORRECTION", defines["ALPHA_CORRECTION"] } }, inputs);
 }
 
 //------------------------------------------------------------------------------

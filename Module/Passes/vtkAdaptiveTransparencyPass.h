@@ -103,6 +103,16 @@ public:
 
   ///@{
   /**
+   * Whether the colour of a pixel that has lost nodes is scaled so that the weights of its fragments add up to 1 - total transmittance, as those of
+   * exact visibilities do (see above). On by default; off is the paper's sum (Eq. 2).
+   */
+  void SetAlphaCorrection(bool correction);
+  vtkGetMacro(AlphaCorrection, bool);
+  vtkBooleanMacro(AlphaCorrection, bool);
+  ///@}
+
+  ///@{
+  /**
    * What a pixel's error may be, as its estimate tells (see above), 0 to 1. 0, the default, sets no limit: every pixel has NodeCount nodes. Else
    * pixels start with NodeCount nodes, and those with a larger estimate are drawn anew with twice as many, up to 64, and then exactly, by sorting
    * their fragments. The smaller NodeCount is, the fewer nodes most pixels take. Only where Memory is Variable: in fixed memory a pixel can't be
@@ -151,6 +161,7 @@ protected:
 
   int NodeCount = 16;
   int NodeRemoval = Underestimate;
+  bool AlphaCorrection = true;
   double Tolerance = 0;
   int Show = Picture;
 

@@ -166,7 +166,16 @@ Pixel CompositeIterative(const std::vector<Fragment>& fragments)
 }
 
 //------------------------------------------------------------------------------
-Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal)
+static void Correct(Pixel& pixel, double weights)
+{
+  for (double& channel : pixel.Rgb)
+  {
+    channel *= weights > 0 ? (1 - pixel.Transmittance) / weights : 1;
+  }
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected)
 {
   VisibilityFunction visibility(nodeCount, removal);
   for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
@@ -174,6 +183,7 @@ Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, R
     visibility.Insert(fragment->Depth, fragment->Alpha);
   }
   Pixel pixel;
+  double weights = 0;
   for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
   {
     const double weight = visibility.BeforeNext(fragment->Depth) * fragment->Alpha;
@@ -181,7 +191,12 @@ Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, R
     {
       pixel.Rgb[c] += weight * fragment->Rgb[c];
     }
+    weights += weight;
     pixel.Transmittance *= 1 - fragment->Alpha;
+  }
+  if (corrected && fragments.size() > static_cast<std::size_t>(nodeCount))
+  {
+    Correct(pixel, weights);
   }
   return pixel;
 }
@@ -393,9 +408,9 @@ Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Share& s
     weights += weight;
     pixel.Transmittance *= 1 - fragments[i].Alpha;
   }
-  for (double& channel : pixel.Rgb)
+  if (corrected)
   {
-    channel *= corrected && weights > 0 ? (1 - pixel.Transmittance) / weights : 1;
+    Correct(pixel, weights);
   }
   return pixel;
 }

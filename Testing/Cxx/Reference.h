@@ -105,8 +105,9 @@ double SliceShare(int slices, double at, double before);
 Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Share& share,
   const std::vector<double>& range, bool corrected);
 
-/// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first.
-Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal);
+/// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first. Corrected: if there are more fragments
+/// than nodes, scaled so that the weights add up to what is hidden.
+Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected = true);
 
 /// The same for those fragments and with the number of nodes, of that many and twice as many each time up to 64, with which the estimated error is
 /// no more than tolerance; exactly where there is none, or where fragments coincide. nodes, if not null, becomes that number, or 64 for exactly.

@@ -155,10 +155,10 @@ vtkSmartPointer<vtkAdaptiveTransparencyPass> NewAdaptive(int nodeCount, Referenc
 }
 
 //------------------------------------------------------------------------------
-Compositor AdaptiveCompositor(int nodeCount, Reference::Removal removal)
+Compositor AdaptiveCompositor(int nodeCount, Reference::Removal removal, bool corrected)
 {
   return [=](const std::vector<Reference::Fragment>& fragments)
-  { return Reference::CompositeAdaptive(fragments, nodeCount, removal); };
+  { return Reference::CompositeAdaptive(fragments, nodeCount, removal, corrected); };
 }
 
 //------------------------------------------------------------------------------

@@ -73,7 +73,7 @@ Picture Draw(const AnalyticScene& scene, vtkTranslucencyPass* pass);
 /// A new adaptive pass.
 vtkSmartPointer<vtkAdaptiveTransparencyPass> NewAdaptive(int nodeCount, Reference::Removal removal);
 
-/// The reference's compositor for such a pass.
-Compositor AdaptiveCompositor(int nodeCount, Reference::Removal removal);
+/// The reference's compositor for such a pass, with alpha correction or without.
+Compositor AdaptiveCompositor(int nodeCount, Reference::Removal removal, bool corrected = true);
 
 #endif

@@ -74,6 +74,17 @@ Technique Adaptive(int nodeCount, Removal removal, const std::string& name)
     AdaptiveCompositor(nodeCount, removal), 2, false, NoLimit };
 }
 
+Technique Paper(int nodeCount)
+{
+  const auto create = [nodeCount]
+  {
+    auto pass = NewAdaptive(nodeCount, Removal::Underestimate);
+    pass->AlphaCorrectionOff();
+    return pass;
+  };
+  return { "Paper" + std::to_string(nodeCount), create, AdaptiveCompositor(nodeCount, Removal::Underestimate, false), 2, false, NoLimit };
+}
+
 std::vector<Technique> Techniques()
 {
   std::vector<Technique> techniques = {
@@ -86,6 +97,7 @@ std::vector<Technique> Techniques()
     techniques.push_back(Adaptive(nodeCount, Removal::Overestimate, "Overestimate"));
     techniques.push_back(Adaptive(nodeCount, Removal::Mixed, "Mixed"));
   }
+  techniques.push_back(Paper(8));
   return techniques;
 }
 

@@ -43,14 +43,14 @@ Technique Layers(const std::string& name, int layers, Tail tail)
 }
 
 // In fixed memory the fragment drawn first is inserted first.
-Technique AdaptiveFixed(int nodes, const std::string& removal, Reference::Removal rule)
+Technique AdaptiveFixed(int nodes, const std::string& removal, Reference::Removal rule, bool corrected = true)
 {
-  return { "AdaptiveFixed" + std::to_string(nodes) + removal, "adaptive",
-    { { "memory", "fixed" }, { "nodes", std::to_string(nodes) }, { "removal", removal } },
+  return { "AdaptiveFixed" + std::to_string(nodes) + removal + (corrected ? "" : "Uncorrected"), "adaptive",
+    { { "memory", "fixed" }, { "nodes", std::to_string(nodes) }, { "removal", removal }, { "alpha_correction", corrected ? "on" : "off" } },
     [=](std::vector<Fragment> fragments)
     {
       std::reverse(fragments.begin(), fragments.end());
-      return Reference::CompositeAdaptive(fragments, nodes, rule);
+      return Reference::CompositeAdaptive(fragments, nodes, rule, corrected);
     },
     true, false };
 }
@@ -85,7 +85,7 @@ std::vector<Technique> Techniques()
     Layers("hybrid", 8, Tail::Average), AdaptiveFixed(1, "underestimate", Removal::Underestimate),
     AdaptiveFixed(8, "underestimate", Removal::Underestimate), AdaptiveFixed(16, "underestimate", Removal::Underestimate),
     AdaptiveFixed(16, "overestimate", Removal::Overestimate), AdaptiveFixed(23, "mixed", Removal::Mixed),
-    AdaptiveFixed(64, "underestimate", Removal::Underestimate), BucketSort(),
+    AdaptiveFixed(64, "underestimate", Removal::Underestimate), AdaptiveFixed(8, "underestimate", Removal::Underestimate, false), BucketSort(),
     { "WeightedSum", "weighted", { { "method", "sum" } }, Reference::CompositeWeightedSum, false, true },
     { "WeightedAverage", "weighted", { { "method", "average" } }, Reference::CompositeWeightedAverage, false, true },
     Blended("equation7",

@@ -163,8 +163,9 @@ void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::si
   nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(least));
 }
 
-// Adaptive transparency with so many nodes of three transmittances. Kept fragments are inserted from the last drawn on.
-AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst)
+// Adaptive transparency with so many nodes of three transmittances. Kept fragments are inserted from the last drawn on. Corrected: where there are
+// more fragments than nodes each channel is scaled so that the weights add up to what it hides, up to the light of all fragments.
+AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst, bool corrected)
 {
   return [=](std::vector<Rectangle> covering, const Reference::Color& opaque)
   {
@@ -181,13 +182,24 @@ AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst)
     for (std::size_t c = 0; c < 3; ++c)
     {
       double light = 0;
+      double all = 0;
+      double weights = 0;
+      double transmittance = 1;
       for (const Rectangle& rectangle : covering)
       {
-        color[c] *= 1 - rectangle.Alpha * (1 - rectangle.Transmission[c]);
+        const double opacity = rectangle.Alpha * (1 - rectangle.Transmission[c]);
         const auto behind = std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth >= rectangle.Depth; });
-        light += (behind == nodes.begin() ? 1 : std::prev(behind)->Transmittance[c]) * rectangle.Alpha * rectangle.Rgb[c];
+        const double visibility = behind == nodes.begin() ? 1 : std::prev(behind)->Transmittance[c];
+        light += visibility * rectangle.Alpha * rectangle.Rgb[c];
+        all += rectangle.Alpha * rectangle.Rgb[c];
+        weights += visibility * opacity;
+        transmittance *= 1 - opacity;
       }
-      color[c] += std::min(light, 1.0);
+      if (corrected && covering.size() > nodeCount)
+      {
+        light = std::min(light * (1 - transmittance) / weights, all);
+      }
+      color[c] = transmittance * opaque[c] + std::min(light, 1.0);
     }
     return color;
   };
@@ -309,18 +321,23 @@ TEST_F(TestTransmissionOfAdaptive, CompressesThreeTransmittancesAtOnce)
   {
     for (int nodes : { 1, 4, 8, 40 })
     {
-      for (int samples : { 0, 4 })
+      for (const auto& [samples, corrected] : { std::pair(0, true), std::pair(4, true), std::pair(0, false) })
       {
-        SCOPED_TRACE(std::string(memory) + " " + std::to_string(nodes) + " " + std::to_string(samples));
+        if (!corrected && nodes != 4)
+        {
+          continue;
+        }
+        SCOPED_TRACE(std::string(memory) + " " + std::to_string(nodes) + " " + std::to_string(samples) + (corrected ? "" : " uncorrected"));
         View view(scene, samples);
-        view.SetPass(NewTechnique("adaptive", { { "memory", memory }, { "nodes", std::to_string(nodes) } }));
+        view.SetPass(NewTechnique(
+          "adaptive", { { "memory", memory }, { "nodes", std::to_string(nodes) }, { "alpha_correction", corrected ? "on" : "off" } }));
         const Picture drawn = view.Render();
         if (!KeepsDrawOrder(view))
         {
           GTEST_SKIP() << "the driver inserts fragments in an order of its own";
         }
         const bool kept = memory[0] == 'v';
-        const PictureDifference difference = Compare(drawn, scene.Compute(ColoredAdaptive(static_cast<std::size_t>(nodes), kept)));
+        const PictureDifference difference = Compare(drawn, scene.Compute(ColoredAdaptive(static_cast<std::size_t>(nodes), kept, corrected)));
         EXPECT_LE(difference.Largest, bound) << difference;
         EXPECT_EQ(Compare(drawn, exact).Largest <= bound, nodes == 40);
       }

@@ -3,16 +3,12 @@
 // A Range grows to the nearest and the farthest depth; the terms take the fragments; and their colours are summed, weighted with vis(z) and opacity.
 // Fragments that don't cover the sample have opacity 0 and change nothing.
 //
-// With three channels a fragment may add light without hiding anything, and then has no part in the weights by which light is scaled: of a few
-// surfaces close behind it, each of which seems to hide the others, they may be so small that it would dazzle. So no channel gets more light
-// than all fragments give together.
-//
 // Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives: Sums, clearSums, isThere, bound,
 // absorb, weigh, colorOf, and what Absorbance/Range.glsl gives.
 #ifndef Weigh_glsl
 #define Weigh_glsl
-#include "Absorbance/Correct.glsl"
 #include "Absorbance/Range.glsl"
+#include "Common/AlphaCorrection.glsl"
 #include "Common/Fragment.glsl"
 
 struct Sums
@@ -20,11 +16,7 @@ struct Sums
   vec2 range; // nearest and farthest depth
   Terms terms;
   Channels transmittance;
-  vec3 color;
-  Channels weights;
-#if TRANSMITTANCE_CHANNELS == 3
-  vec3 light; // of all fragments, hidden or not
-#endif
+  WeightedSums weighted;
 };
 
 void clearSums(out Sums sums)
@@ -36,11 +28,7 @@ void clearSums(out Sums sums)
 #endif
   clearTerms(sums.terms);
   sums.transmittance = Channels(1.0);
-  sums.color = vec3(0.0);
-  sums.weights = Channels(0.0);
-#if TRANSMITTANCE_CHANNELS == 3
-  sums.light = vec3(0.0);
-#endif
+  clearWeights(sums.weighted);
 }
 
 // Whether the fragment covers the sample: it hides something, or adds light.
@@ -72,20 +60,12 @@ void weigh(inout Sums sums, float depth, Surface surface)
   Basis basis;
   basisAt(relativeDepth(linearDepth(depth), sums.range), basis);
   Channels visibility = visibilityOf(sums.terms, basis, absorbanceOf(surface.opacity));
-  sums.color += visibility * surface.color;
-  sums.weights += visibility * surface.opacity;
-#if TRANSMITTANCE_CHANNELS == 3
-  sums.light += surface.color;
-#endif
+  addWeighted(sums.weighted, surface.color, surface.opacity, visibility);
 }
 
 vec3 colorOf(Sums sums)
 {
-  vec3 color = correctedColor(sums.color, sums.weights, sums.transmittance);
-#if TRANSMITTANCE_CHANNELS == 3
-  color = min(color, sums.light);
-#endif
-  return color;
+  return correctedColor(sums.weighted, sums.transmittance);
 }
 
 #endif

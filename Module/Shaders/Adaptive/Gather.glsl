@@ -2,7 +2,8 @@
 // NODE_COUNT nodes of a depth and a transmittance (Record.glsl).
 //
 // Stage 0 inserts each fragment into it. Stage 1 draws the geometry again and weights each fragment with what the function lets through
-// before it (Eq. 2); blending adds that up and multiplies the total transmittance, with three channels in the alphas of three targets.
+// before it (Eq. 2); blending adds that up and multiplies the total transmittance, with three channels in the alphas of three targets, whose colours
+// are what Common/AlphaCorrection.glsl takes. Weights are added where nodes were removed only: elsewhere nothing is to be corrected.
 //
 // Coincident fragments each have a node of their depth; the one drawn first has the last of them, and is hidden by the others. When it has
 // been weighted its node moves just behind that depth, so that the next fragment finds its own. That takes the same order in both stages, and
@@ -10,7 +11,10 @@
 //
 // In a multi-sampled window the shader runs once for each sample, whose function it changes.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: gatherFragment.
+// Needs: NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, ALPHA_CORRECTION, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: gatherFragment, GATHER_OUTPUTS.
+#ifndef ALPHA_CORRECTION
+#error "Adaptive/Gather.glsl needs ALPHA_CORRECTION"
+#endif
 #define INSERTED_AS_DRAWN 1
 #include "Adaptive/Record.glsl"
 #include "Adaptive/Visibility.glsl"
@@ -18,6 +22,12 @@
 #include "Common/Tile.glsl"
 
 uniform int gatherStage;
+
+#if TRANSMITTANCE_CHANNELS == 3
+#define GATHER_OUTPUTS 3
+#else
+#define GATHER_OUTPUTS (1 + ALPHA_CORRECTION)
+#endif
 
 void loadDepths(PixelRecord record, uint count, inout Visibility visibility)
 {
@@ -81,7 +91,14 @@ Lookup lookUp(Visibility visibility, float depth)
   return found;
 }
 
-Channels visitPixel(PixelRecord record, Channels opacity, float depth)
+// What a fragment is weighted with, and what of that counts as a weight.
+struct Weight
+{
+  Channels visibility;
+  float corrected; // 1, or 0
+};
+
+Weight visitPixel(PixelRecord record, Channels opacity, float depth)
 {
   uint count = recordCount(record);
   Visibility visibility;
@@ -91,8 +108,8 @@ Channels visitPixel(PixelRecord record, Channels opacity, float depth)
   {
     loadTransmittances(record, count, visibility);
     insertFragment(visibility, depth, opacity, int(count));
-    storeVisibility(record, min(count + 1u, uint(NODE_COUNT)), visibility);
-    return Channels(0.0);
+    storeVisibility(record, min(count + 1u, uint(NODE_COUNT + 1)), visibility);
+    return Weight(Channels(0.0), 0.0);
   }
   Lookup found = lookUp(visibility, depth);
   if (found.coincident > 1)
@@ -104,10 +121,10 @@ Channels visitPixel(PixelRecord record, Channels opacity, float depth)
   {
     before = nodeTransmittance(record, found.before - 1);
   }
-  return before;
+  return Weight(before, count > uint(NODE_COUNT) ? 1.0 : 0.0);
 }
 
-void gatherFragment(vec4 color, float depth, out vec4 outputs[TRANSMITTANCE_CHANNELS])
+void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
 #if SAMPLES > 1
@@ -116,16 +133,21 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[TRANSMITTANCE_CHAN
   int index = 0;
 #endif
   Channels opacity = opacityOf(color);
-  Channels before = Channels(0.0);
+  Weight weight = Weight(Channels(0.0), 0.0);
   if (inTile(pixel))
   {
-    CRITICAL_SECTION(pixel, before = visitPixel(pixelRecord(pixel, index), opacity, depth))
+    CRITICAL_SECTION(pixel, weight = visitPixel(pixelRecord(pixel, index), opacity, depth))
   }
+  vec3 light = color.a * color.rgb;
+  Channels corrected = weight.corrected * weight.visibility * opacity;
 #if TRANSMITTANCE_CHANNELS == 3
-  outputs[0] = vec4(before * color.a * color.rgb, opacity.r);
-  outputs[1] = vec4(vec3(0.0), opacity.g);
-  outputs[2] = vec4(vec3(0.0), opacity.b);
+  outputs[0] = vec4(weight.visibility * light, opacity.r);
+  outputs[1] = vec4(corrected, opacity.g);
+  outputs[2] = vec4(light, opacity.b);
 #else
-  outputs[0] = vec4(before * color.a * color.rgb, opacity);
+  outputs[0] = vec4(weight.visibility * light, opacity);
+#if ALPHA_CORRECTION
+  outputs[1] = vec4(corrected);
+#endif
 #endif
 }

@@ -1,4 +1,5 @@
-// Adaptive/Record.glsl: what a pixel's record holds in fixed memory. Its count is that of the nodes in use.
+// Adaptive/Record.glsl: what a pixel's record holds in fixed memory. Its count is that of its fragments, up to NODE_COUNT + 1: then
+// nodes were removed.
 //
 // First the depths of the nodes, then their transmittances: in 16 bits each, two a word, since a word more takes more time than packing; with
 // three channels (Common/Channels.glsl) in floats. With ESTIMATE_ERROR 1 there follows what the estimate is made of.

@@ -1,7 +1,8 @@
 // Adaptive/Resolve.glsl: the colour of a pixel by its compressed visibility function (Salvi 2011, section 4.1).
 //
 // Two walks over the pixel's list: build vis(z), then sum the fragments weighted by it (Eq. 2). The total transmittance is
-// that of all fragments: no rule of removal changes it.
+// that of all fragments: no rule of removal changes it. Where nodes were removed the sum is corrected (Common/AlphaCorrection.glsl): elsewhere
+// it is exact, but for rounding, and stays as it is.
 //
 // Fragments of equal depth are composited one behind the other, which takes more steps for every fragment. EQUAL_DEPTHS 0 does
 // without and leaves pixels that have such fragments to EQUAL_DEPTHS_LEVEL, which is this shader with EQUAL_DEPTHS 1. Pixels whose
@@ -14,8 +15,8 @@
 //
 // SHOW other than SHOW_PICTURE: the second walk gives way to Adaptive/Show.glsl.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, TOLERANCE, FINER_LEVEL, SHOW, COLOR_FORMAT,
-// TRANSMITTANCE_CHANNELS.
+// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, TOLERANCE, FINER_LEVEL, SHOW, ALPHA_CORRECTION,
+// COLOR_FORMAT, TRANSMITTANCE_CHANNELS.
 #ifndef EQUAL_DEPTHS
 #error "Adaptive/Resolve.glsl needs EQUAL_DEPTHS"
 #endif
@@ -26,6 +27,7 @@
 #include "Adaptive/Show.glsl"
 #define ESTIMATE_ERROR (TOLERANCE || SHOW == SHOW_ERROR)
 #include "Adaptive/Visibility.glsl"
+#include "Common/AlphaCorrection.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/FinishPixel.glsl"
 #include "Common/Statistics.glsl"
@@ -84,15 +86,19 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 #endif
   uint unread = cursor;
 #if SHOW == SHOW_PICTURE
+  WeightedSums sums;
+  clearWeights(sums);
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {
     float depth = nodeDepth(fragment);
-    color += transmittanceBefore(visibility, depth) * unpackColor(fragment.color).color;
+    Surface surface = unpackColor(fragment.color);
+    addWeighted(sums, surface.color, surface.opacity, transmittanceBefore(visibility, depth));
 #if EQUAL_DEPTHS
     passNode(visibility, depth);
 #endif
   }
+  color = count > NODE_COUNT ? correctedColor(sums, transmittance) : sums.color;
 #else
   showPixel(error, min(count, NODE_COUNT), color, transmittance);
 #endif

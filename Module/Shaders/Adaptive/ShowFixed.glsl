@@ -9,7 +9,7 @@
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   PixelRecord record = sampleRecord();
-  int count = int(recordCount(record));
+  int count = min(int(recordCount(record)), NODE_COUNT);
   float error = 0.0;
 #if ESTIMATE_ERROR
   error = estimateError(recordFloat(record, RECORD_LOST), recordFloat(record, RECORD_NEAREST), recordFloat(record, RECORD_FARTHEST));
