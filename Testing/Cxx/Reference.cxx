@@ -89,6 +89,15 @@ void VisibilityFunction::RemoveOne()
 }
 
 //------------------------------------------------------------------------------
+void VisibilityFunction::RoundTransmittances(double levels)
+{
+  for (Node& node : this->Nodes)
+  {
+    node.Transmittance = std::round(levels * node.Transmittance) / levels;
+  }
+}
+
+//------------------------------------------------------------------------------
 double VisibilityFunction::EstimateError() const
 {
   return this->Lost > 0 ? std::min(1.0, this->Lost / (this->Farthest - this->Nearest)) : 0;
@@ -108,7 +117,30 @@ double VisibilityFunction::Before(double depth) const
 //------------------------------------------------------------------------------
 double VisibilityFunction::BeforeNext(double depth)
 {
+  return this->AfterNodes(this->PassNext(depth).first);
+}
+
+//------------------------------------------------------------------------------
+double VisibilityFunction::MeanBeforeNext(double depth, double alpha)
+{
+  const auto [inFront, hasNode] = this->PassNext(depth);
+  return hasNode || inFront == 0 ? this->AfterNodes(inFront)
+                                 : MeanOf(this->AfterNodes(inFront - 1), this->AfterNodes(inFront), alpha);
+}
+
+//------------------------------------------------------------------------------
+double MeanOf(double before, double behind, double alpha)
+{
+  const double withoutItself = alpha < 1 ? behind / (1 - alpha) : 0;
+  return std::min(std::max(std::sqrt(before * behind), withoutItself), before);
+}
+
+//------------------------------------------------------------------------------
+// How many nodes are in front of the next fragment of a depth, and whether another one has that depth.
+std::pair<std::size_t, bool> VisibilityFunction::PassNext(double depth)
+{
   std::size_t inFront = 0;
+  bool hasNode = false;
   std::size_t passed = this->Asked[depth]++;
   for (const Node& node : this->Nodes)
   {
@@ -121,8 +153,12 @@ double VisibilityFunction::BeforeNext(double depth)
       ++inFront;
       --passed;
     }
+    else if (node.Depth == depth)
+    {
+      hasNode = true;
+    }
   }
-  return this->AfterNodes(inFront);
+  return { inFront, hasNode };
 }
 
 //------------------------------------------------------------------------------
@@ -175,18 +211,25 @@ static void Correct(Pixel& pixel, double weights)
 }
 
 //------------------------------------------------------------------------------
-Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected)
+Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected, double levels)
 {
   VisibilityFunction visibility(nodeCount, removal);
   for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
   {
     visibility.Insert(fragment->Depth, fragment->Alpha);
+    if (levels > 0)
+    {
+      visibility.RoundTransmittances(levels);
+    }
   }
+  const bool correct = corrected && fragments.size() > static_cast<std::size_t>(nodeCount);
+  const bool byMeans = correct && removal == Removal::Underestimate;
   Pixel pixel;
   double weights = 0;
   for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
   {
-    const double weight = visibility.BeforeNext(fragment->Depth) * fragment->Alpha;
+    const double before = byMeans ? visibility.MeanBeforeNext(fragment->Depth, fragment->Alpha) : visibility.BeforeNext(fragment->Depth);
+    const double weight = before * fragment->Alpha;
     for (std::size_t c = 0; c < 3; ++c)
     {
       pixel.Rgb[c] += weight * fragment->Rgb[c];
@@ -194,7 +237,7 @@ Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, R
     weights += weight;
     pixel.Transmittance *= 1 - fragment->Alpha;
   }
-  if (corrected && fragments.size() > static_cast<std::size_t>(nodeCount))
+  if (correct)
   {
     Correct(pixel, weights);
   }

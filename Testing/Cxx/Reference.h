@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace Reference
@@ -59,12 +60,19 @@ public:
   /// are then too many.
   void Insert(double depth, double alpha);
 
+  /// Rounds the nodes' transmittances to multiples of 1 / levels.
+  void RoundTransmittances(double levels);
+
   /// The transmittance before all nodes at this depth or farther (Eq. 6).
   double Before(double depth) const;
 
   /// As Before, for the fragments of one depth one after the other in the order of their insertion: each but the first
   /// has a node of that depth more in front of it.
   double BeforeNext(double depth);
+
+  /// As BeforeNext, but for a fragment without a node of its own: the geometric mean of the transmittances before and behind the node in front of it,
+  /// but no less than behind it without the fragment itself, and no more than before it.
+  double MeanBeforeNext(double depth, double alpha);
 
   /// The areas that removals have lost, over the distance between the nearest and the farthest fragment inserted; at most 1.
   double EstimateError() const;
@@ -74,6 +82,7 @@ public:
 private:
   void RemoveOne();
   double AfterNodes(std::size_t count) const;
+  std::pair<std::size_t, bool> PassNext(double depth);
 
   std::size_t NodeCount;
   Removal Rule;
@@ -83,6 +92,9 @@ private:
   double Farthest = 0;
   std::map<double, std::size_t> Asked; // fragments of a depth that BeforeNext has answered
 };
+
+/// What a fragment of that opacity is seen through that is one of several without an order, from the transmittances before and behind them.
+double MeanOf(double before, double behind, double alpha);
 
 /// Eq. 3: sort back to front, then blend one over the other.
 Pixel CompositeExact(std::vector<Fragment> fragments);
@@ -106,8 +118,9 @@ Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Share& s
   const std::vector<double>& range, bool corrected);
 
 /// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first. Corrected: if there are more fragments
-/// than nodes, scaled so that the weights add up to what is hidden.
-Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected = true);
+/// than nodes, by means if the rule is Underestimate, and scaled so that the weights add up to what is hidden.
+/// levels, if not 0, rounds transmittances after each insertion to multiples of 1 / levels.
+Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected = true, double levels = 0);
 
 /// The same for those fragments and with the number of nodes, of that many and twice as many each time up to 64, with which the estimated error is
 /// no more than tolerance; exactly where there is none, or where fragments coincide. nodes, if not null, becomes that number, or 64 for exactly.

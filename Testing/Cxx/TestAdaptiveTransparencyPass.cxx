@@ -239,3 +239,155 @@ TEST_F(TestTolerance, IsNotForFixedMemory)
   refused("Tolerance is 0.01, expected 0 while Memory is Fixed");
   EXPECT_EQ(pass->GetTolerance(), 0);
 }
+
+//------------------------------------------------------------------------------
+using TestAlphaCorrection = RenderTest;
+
+namespace
+{
+// As drawn by so many nodes, with correction or as in the paper.
+Picture DrawCorrected(View& view, int memory, int nodes, bool corrected)
+{
+  const auto pass = NewAdaptive(nodes, Removal::Underestimate);
+  pass->SetMemory(memory);
+  pass->SetAlphaCorrection(corrected);
+  view.SetPass(pass);
+  const Picture drawn = view.Render();
+  EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+  return drawn;
+}
+}
+
+// Nothing but white is seen, however many nodes were removed.
+TEST_F(TestAlphaCorrection, OfManyAlikeGivesTheirColor)
+{
+  AnalyticScene stack;
+  stack.Width = 40;
+  stack.Height = 30;
+  for (int i = 0; i < 200; ++i)
+  {
+    const int at = 37 * i % 200; // any order
+    stack.Translucent.push_back({ { 0, 0, 40, 30, (at + 1) / 256.0, { { 1, 1, 1 } }, 0.05 } });
+  }
+  AnalyticScene transmitting = stack;
+  for (Layer& layer : transmitting.Translucent)
+  {
+    layer[0].Transmission = { { 0.5, 0.25, 0 } };
+    layer[0].Rgb = { { 0.5, 0.75, 1 } }; // what it hides
+  }
+  for (const AnalyticScene* scene : { &stack, &transmitting })
+  {
+    const Picture exact = scene->Compute(Reference::CompositeExact);
+    for (int samples : { 0, 4 })
+    {
+      View view(*scene, samples);
+      for (int memory : { Adaptive::Variable, Adaptive::Fixed })
+      {
+        SCOPED_TRACE(std::string(scene == &stack ? "one channel " : "three channels ") + std::to_string(samples) + " " + std::to_string(memory));
+        const Picture drawn = DrawCorrected(view, memory, 8, true);
+        EXPECT_LE(Compare(drawn, exact).Largest, 1);
+        for (int c = 0; scene == &stack && c < 3; ++c)
+        {
+          EXPECT_EQ(drawn.At(20, 15, c), 255);
+        }
+        EXPECT_LT(DrawCorrected(view, memory, 8, false).At(20, 15, 2), 240);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TestAlphaCorrection, ChangesNothingThatFits)
+{
+  const AnalyticScene plain = RandomLayers(100, 75, 12, 8, 0.02, 0.8);
+  const AnalyticScene transmitting = plain.Transmitting(13);
+  for (const AnalyticScene* scene : { &plain, &transmitting })
+  {
+    for (int samples : { 0, 4 })
+    {
+      View view(*scene, samples);
+      for (int memory : { Adaptive::Variable, Adaptive::Fixed })
+      {
+        SCOPED_TRACE(std::to_string(scene == &plain) + " " + std::to_string(samples) + " " + std::to_string(memory));
+        EXPECT_EQ(Compare(DrawCorrected(view, memory, 8, true), DrawCorrected(view, memory, 8, false)).Largest, 0);
+        EXPECT_GT(Compare(DrawCorrected(view, memory, 2, true), DrawCorrected(view, memory, 2, false)).Largest, 5);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Root of the mean square over pixels whose colours are random, fall with depth, or are alike. Documentation/Adaptive.md has more.
+struct CorrectedBound
+{
+  int Fragments;
+  double LeastAlpha;
+  double MostAlpha;
+  double Most[3]; // with 4, 8 and 16 nodes
+};
+
+void PrintTo(const CorrectedBound& value, std::ostream* os)
+{
+  *os << value.Fragments;
+}
+
+class TestCorrectedPictures
+  : public RenderTest
+  , public testing::WithParamInterface<CorrectedBound>
+{
+};
+
+TEST_P(TestCorrectedPictures, AreNearToExact)
+{
+  const CorrectedBound& bound = GetParam();
+  double squares[3][2] = {};
+  for (const std::string colors : { "random", "falling", "alike" })
+  {
+    AnalyticScene scene = RandomMosaic(120, 100, 14, bound.Fragments, bound.LeastAlpha, bound.MostAlpha);
+    for (Layer& layer : scene.Translucent)
+    {
+      for (Rectangle& rectangle : layer)
+      {
+        const double falling = std::round(255 * (1 - rectangle.Depth)) / 255;
+        rectangle.Rgb = colors == "random" ? rectangle.Rgb : colors == "falling" ? Reference::Color{ { falling, falling, falling } } : Reference::Color{ { 1, 1, 1 } };
+      }
+    }
+    const Picture exact = scene.Compute(Reference::CompositeExact);
+    View view(scene);
+    for (int i : { 0, 1, 2 })
+    {
+      for (bool corrected : { false, true })
+      {
+        squares[i][corrected] += std::pow(Compare(DrawCorrected(view, Adaptive::Variable, 4 << i, corrected), exact).RootMeanSquare, 2) / 3;
+      }
+    }
+  }
+  for (int i : { 0, 1, 2 })
+  {
+    const double rmse = std::sqrt(squares[i][1]);
+    const double uncorrected = std::sqrt(squares[i][0]);
+    RecordProperty(std::to_string(4 << i), std::to_string(rmse) + " instead of " + std::to_string(uncorrected));
+    EXPECT_LE(rmse, bound.Most[i]) << (4 << i);
+    EXPECT_GT(uncorrected, 4 * rmse) << (4 << i);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Adaptive, TestCorrectedPictures,
+  testing::Values(CorrectedBound{ 64, 0.02, 0.3, { 0.02, 0.0065, 0.0022 } }, CorrectedBound{ 200, 0.02, 0.1, { 0.016, 0.006, 0.0027 } },
+    CorrectedBound{ 600, 0.01, 0.2, { 0.024, 0.0085, 0.003 } }),
+  [](const auto& info) { return std::to_string(info.param.Fragments); });
+
+//------------------------------------------------------------------------------
+TEST_F(TestAlphaCorrection, OfSurfacesIsNearerToExact)
+{
+  View view(100, 75);
+  AddSpheres(view.Renderer);
+  vtkNew<vtkABufferPass> pass;
+  view.SetPass(pass);
+  const Picture exact = view.Render();
+  for (int memory : { Adaptive::Variable, Adaptive::Fixed })
+  {
+    const double uncorrected = Compare(DrawCorrected(view, memory, 8, false), exact).RootMeanSquare;
+    EXPECT_LT(Compare(DrawCorrected(view, memory, 8, true), exact).RootMeanSquare, uncorrected / 4) << memory;
+  }
+}

@@ -42,7 +42,7 @@ Technique Layers(const std::string& name, int layers, Tail tail)
     tail != Tail::Merge };
 }
 
-// In fixed memory the fragment drawn first is inserted first.
+// In fixed memory the fragment drawn first is inserted first, and transmittances take 16 bits.
 Technique AdaptiveFixed(int nodes, const std::string& removal, Reference::Removal rule, bool corrected = true)
 {
   return { "AdaptiveFixed" + std::to_string(nodes) + removal + (corrected ? "" : "Uncorrected"), "adaptive",
@@ -50,7 +50,7 @@ Technique AdaptiveFixed(int nodes, const std::string& removal, Reference::Remova
     [=](std::vector<Fragment> fragments)
     {
       std::reverse(fragments.begin(), fragments.end());
-      return Reference::CompositeAdaptive(fragments, nodes, rule, corrected);
+      return Reference::CompositeAdaptive(fragments, nodes, rule, corrected, 65535);
     },
     true, false };
 }

@@ -164,7 +164,8 @@ void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::si
 }
 
 // Adaptive transparency with so many nodes of three transmittances. Kept fragments are inserted from the last drawn on. Corrected: where there are
-// more fragments than nodes each channel is scaled so that the weights add up to what it hides, up to the light of all fragments.
+// more fragments than nodes, those without nodes weigh by means, and each channel is scaled so that the weights add up to what it hides, up to the
+// light of all fragments.
 AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst, bool corrected)
 {
   return [=](std::vector<Rectangle> covering, const Reference::Color& opaque)
@@ -178,6 +179,7 @@ AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst, bo
     {
       Insert(nodes, rectangle, nodeCount);
     }
+    const bool correct = corrected && covering.size() > nodeCount;
     Reference::Color color = opaque;
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -189,13 +191,16 @@ AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst, bo
       {
         const double opacity = rectangle.Alpha * (1 - rectangle.Transmission[c]);
         const auto behind = std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth >= rectangle.Depth; });
-        const double visibility = behind == nodes.begin() ? 1 : std::prev(behind)->Transmittance[c];
+        const auto after = [&](std::ptrdiff_t count) { return count == 0 ? 1 : nodes[static_cast<std::size_t>(count) - 1].Transmittance[c]; };
+        const std::ptrdiff_t inFront = behind - nodes.begin();
+        const bool hasNode = behind != nodes.end() && behind->Depth == rectangle.Depth;
+        const double visibility = !correct || hasNode ? after(inFront) : Reference::MeanOf(after(inFront - 1), after(inFront), opacity);
         light += visibility * rectangle.Alpha * rectangle.Rgb[c];
         all += rectangle.Alpha * rectangle.Rgb[c];
         weights += visibility * opacity;
         transmittance *= 1 - opacity;
       }
-      if (corrected && covering.size() > nodeCount)
+      if (correct)
       {
         light = std::min(light * (1 - transmittance) / weights, all);
       }

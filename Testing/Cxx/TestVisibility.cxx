@@ -135,6 +135,22 @@ std::vector<double> Weights(const VisibilityVariant& variant, const std::vector<
   return weights;
 }
 
+/// The same with alpha correction, not scaled.
+std::vector<double> CorrectedWeights(const VisibilityVariant& variant, const std::vector<Step>& steps)
+{
+  const auto shader = variant.New();
+  for (const Step& step : steps)
+  {
+    shader->Insert(step.Depth, step.Alpha);
+  }
+  std::vector<double> weights;
+  for (const Step& step : steps)
+  {
+    weights.push_back(shader->VisibilityAt(step.Depth, step.Alpha));
+  }
+  return weights;
+}
+
 std::vector<double> ReferenceWeights(int nodeCount, Removal rule, const std::vector<Step>& steps)
 {
   VisibilityFunction visibility(nodeCount, rule);
@@ -295,6 +311,100 @@ TEST_P(TestVisibility, KeepsTheTotal)
       }
       RC_ASSERT(std::abs(shader->GetTotal() - Product(steps)) < Rounding);
     }));
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestVisibility, CorrectsNothingWhileAllFragmentsHaveNodes)
+{
+  EXPECT_TRUE(rc::check("bit for bit",
+    []
+    {
+      std::vector<Step> steps = *rc::gen::oneOf(Steps(), ExactSteps());
+      steps.resize(std::min<std::size_t>(steps.size(), static_cast<std::size_t>(GetParam().NodeCount)));
+      RC_ASSERT(CorrectedWeights(GetParam(), steps) == Weights(GetParam(), steps));
+      const auto shader = GetParam().New();
+      RC_ASSERT(shader->GetCorrected(0.3f, 0.1f) == 0.3f);
+    }));
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestVisibility, CorrectedAddsUpToWhatIsHidden)
+{
+  EXPECT_TRUE(rc::check("fragments of one colour",
+    []
+    {
+      const std::vector<Step> steps = *Steps();
+      const auto shader = GetParam().New();
+      double hidden = 1;
+      for (const Step& step : steps)
+      {
+        shader->Insert(step.Depth, step.Alpha);
+        hidden *= 1 - static_cast<double>(step.Alpha);
+      }
+      float weights = 0;
+      for (const Step& step : steps)
+      {
+        weights += shader->VisibilityAt(step.Depth, step.Alpha) * step.Alpha;
+      }
+      RC_ASSERT(std::abs(shader->GetCorrected(weights, weights) - (1 - hidden)) < Rounding);
+    }));
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestVisibility, CorrectedNeverRisesWithDepth)
+{
+  EXPECT_TRUE(rc::check("for fragments of one opacity, and between 1 and what all let through",
+    []
+    {
+      const auto shader = GetParam().New();
+      for (const Step& step : *Steps())
+      {
+        shader->Insert(step.Depth, step.Alpha);
+      }
+      const std::vector<Step> asked = *Steps();
+      RC_PRE(!asked.empty());
+      std::vector<float> depths;
+      for (const Step& step : asked)
+      {
+        depths.push_back(step.Depth);
+      }
+      for (const Node& node : shader->GetNodes())
+      {
+        depths.push_back(static_cast<float>(node.Depth));
+      }
+      std::sort(depths.begin(), depths.end());
+      depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
+      double before = 1;
+      for (float depth : depths)
+      {
+        const double visibility = shader->VisibilityAt(depth, asked.front().Alpha);
+        RC_ASSERT(visibility <= before);
+        RC_ASSERT(visibility >= shader->GetTotal());
+        before = visibility;
+      }
+    }));
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestVisibility, CorrectsAsTheReferenceDoes)
+{
+  std::mt19937 random(13);
+  for (int i = 0; i < 50; ++i)
+  {
+    const std::vector<Step> steps = RandomSteps(random, 96);
+    VisibilityFunction reference(GetParam().NodeCount, GetParam().Rule);
+    for (const Step& step : steps)
+    {
+      reference.Insert(step.Depth, step.Alpha);
+    }
+    const bool byMeans = GetParam().Rule == Removal::Underestimate && GetParam().NodeCount < 96;
+    std::vector<double> expected;
+    for (const Step& step : steps)
+    {
+      expected.push_back(byMeans ? reference.MeanBeforeNext(step.Depth, step.Alpha) : reference.BeforeNext(step.Depth));
+    }
+    EXPECT_LT(LargestDifference(CorrectedWeights(GetParam(), steps), expected), Rounding);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,12 @@ public:
   /// For all fragments in the order of their insertion, as the resolve asks.
   virtual float TransmittanceBefore(float depth) = 0;
 
+  /// The same with alpha correction, before the sum is scaled.
+  virtual float VisibilityAt(float depth, float alpha) = 0;
+
+  /// The sum of weights that have colours, scaled if nodes were removed.
+  virtual float GetCorrected(float color, float weights) const = 0;
+
   /// The nodes in use.
   virtual std::vector<Reference::Node> GetNodes() const = 0;
 

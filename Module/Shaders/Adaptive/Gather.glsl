@@ -17,7 +17,7 @@
 #endif
 #define INSERTED_AS_DRAWN 1
 #include "Adaptive/Record.glsl"
-#include "Adaptive/Visibility.glsl"
+#include "Adaptive/Weigh.glsl"
 #include "Common/Opacity.glsl"
 #include "Common/Tile.glsl"
 
@@ -116,12 +116,22 @@ Weight visitPixel(PixelRecord record, Channels opacity, float depth)
   {
     setRecordWord(record, found.before, floatBitsToUint(depth) + 1u);
   }
-  Channels before = Channels(1.0);
+  bool removed = count > uint(NODE_COUNT);
+  Channels behind = Channels(1.0);
   if (found.before > 0)
   {
-    before = nodeTransmittance(record, found.before - 1);
+    behind = nodeTransmittance(record, found.before - 1);
   }
-  return Weight(before, count > uint(NODE_COUNT) ? 1.0 : 0.0);
+  if (WEIGHS_BY_MEANS && removed && found.coincident == 0)
+  {
+    Channels before = Channels(1.0);
+    if (found.before > 1)
+    {
+      before = nodeTransmittance(record, found.before - 2);
+    }
+    behind = visibilityBetween(before, behind, opacity);
+  }
+  return Weight(behind, removed ? 1.0 : 0.0);
 }
 
 void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])

@@ -13,6 +13,8 @@
 //
 // ESTIMATE_ERROR 1: the areas that were lost are summed.
 //
+// REMOVAL_LOSS(step, width): what is lost, if it is not the area (scripts/document-adaptive has tried others).
+//
 // Needs: NODE_COUNT, NODE_REMOVAL, TRANSMITTANCE_CHANNELS.  Gives: Visibility, removeNode.
 #ifndef RemoveNode_glsl
 #define RemoveNode_glsl
@@ -27,6 +29,9 @@
 #define NODE_REMOVAL_OVERESTIMATE 1
 #define NODE_REMOVAL_MIXED 2
 #define NODE_EMPTY 2.0f // behind every window depth
+#ifndef REMOVAL_LOSS
+#define REMOVAL_LOSS(step, width) ((step) * (width))
+#endif
 #ifndef ESTIMATE_ERROR
 #define ESTIMATE_ERROR 0
 #endif
@@ -49,22 +54,26 @@ struct Removal
 {
   float area;
   int depth;
+#if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
   int transmittance;
+#endif
 };
 
 void considerNode(INOUT(Visibility) v, INOUT(Removal) least, int k)
 {
   float step = meanOf(v.t[k - 1] - v.t[k]);
 #if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
-  float under = step * (v.z[k] - v.z[k - 1]);
+  float under = REMOVAL_LOSS(step, v.z[k] - v.z[k - 1]);
   least.depth = under < least.area ? k : least.depth;
+#if NODE_REMOVAL == NODE_REMOVAL_MIXED
   least.transmittance = under < least.area ? k - 1 : least.transmittance;
+#endif
   least.area = min(under, least.area);
 #endif
 #if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
   if (k < NODE_COUNT)
   {
-    float over = step * (v.z[min(k + 1, NODE_COUNT)] - v.z[k]);
+    float over = REMOVAL_LOSS(step, v.z[min(k + 1, NODE_COUNT)] - v.z[k]);
     least.depth = over < least.area ? k : least.depth;
     least.transmittance = over < least.area ? k : least.transmittance;
     least.area = min(over, least.area);
@@ -76,21 +85,26 @@ void removeNode(INOUT(Visibility) v)
 {
   Removal least;
   least.depth = 0;
-  least.transmittance = 0;
 #if NODE_REMOVAL == NODE_REMOVAL_UNDERESTIMATE
   least.area = 1e30f;
 #else
-  least.area = (1.0f - meanOf(v.t[0])) * (v.z[1] - v.z[0]);
+  least.transmittance = 0;
+  least.area = REMOVAL_LOSS(1.0f - meanOf(v.t[0]), v.z[1] - v.z[0]);
 #endif
 #define FIND_LEAST(i) considerNode(v, least, (i) + 1);
   EACH_NODE(FIND_LEAST)
 #if ESTIMATE_ERROR
   v.lost += least.area;
 #endif
-  // Those behind what is removed move up.
+  // Those behind what is removed move up. Written so that a compiler sees what comparisons have in common.
+#if NODE_REMOVAL == NODE_REMOVAL_UNDERESTIMATE
+#define KEEPS_TRANSMITTANCE(k) ((k) + 1 < least.depth)
+#else
+#define KEEPS_TRANSMITTANCE(k) ((k) < least.transmittance)
+#endif
 #define MOVE_UP(k) \
   v.z[k] = (k) < least.depth ? v.z[k] : v.z[(k) + 1]; \
-  v.t[k] = (k) < least.transmittance ? v.t[k] : v.t[(k) + 1];
+  v.t[k] = KEEPS_TRANSMITTANCE(k) ? v.t[k] : v.t[(k) + 1];
   EACH_NODE(MOVE_UP)
   v.z[NODE_COUNT] = NODE_EMPTY;
 }

@@ -1,8 +1,8 @@
 // Adaptive/Resolve.glsl: the colour of a pixel by its compressed visibility function (Salvi 2011, section 4.1).
 //
 // Two walks over the pixel's list: build vis(z), then sum the fragments weighted by it (Eq. 2). The total transmittance is
-// that of all fragments: no rule of removal changes it. Where nodes were removed the sum is corrected (Common/AlphaCorrection.glsl): elsewhere
-// it is exact, but for rounding, and stays as it is.
+// that of all fragments: no rule of removal changes it. Where nodes were removed the sum is corrected (Weigh.glsl,
+// Common/AlphaCorrection.glsl); elsewhere it is exact, but for rounding, and stays as it is.
 //
 // Fragments of equal depth are composited one behind the other, which takes more steps for every fragment. EQUAL_DEPTHS 0 does
 // without and leaves pixels that have such fragments to EQUAL_DEPTHS_LEVEL, which is this shader with EQUAL_DEPTHS 1. Pixels whose
@@ -26,7 +26,7 @@
 #define FRAGMENTS_READ_ONLY 1
 #include "Adaptive/Show.glsl"
 #define ESTIMATE_ERROR (TOLERANCE || SHOW == SHOW_ERROR)
-#include "Adaptive/Visibility.glsl"
+#include "Adaptive/Weigh.glsl"
 #include "Common/AlphaCorrection.glsl"
 #include "Common/Fragment.glsl"
 #include "Common/FinishPixel.glsl"
@@ -93,7 +93,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
   {
     float depth = nodeDepth(fragment);
     Surface surface = unpackColor(fragment.color);
-    addWeighted(sums, surface.color, surface.opacity, transmittanceBefore(visibility, depth));
+    addWeighted(sums, surface.color, surface.opacity, visibilityAt(visibility, depth, surface.opacity, count > NODE_COUNT));
 #if EQUAL_DEPTHS
     passNode(visibility, depth);
 #endif

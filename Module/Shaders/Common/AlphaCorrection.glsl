@@ -7,6 +7,8 @@
 // surfaces close behind it, each of which seems to hide the others, they may be so small that it would dazzle. So no channel gets more light
 // than all fragments give together.
 //
+// Valid C++, too.
+//
 // Needs: ALPHA_CORRECTION, TRANSMITTANCE_CHANNELS.  Gives: WeightedSums, clearWeights, addWeighted, correctedColor.
 #ifndef AlphaCorrection_glsl
 #define AlphaCorrection_glsl
@@ -14,6 +16,7 @@
 #error "AlphaCorrection.glsl needs ALPHA_CORRECTION"
 #endif
 #include "Common/Channels.glsl"
+#include "Common/Language.glsl"
 
 struct WeightedSums
 {
@@ -24,17 +27,17 @@ struct WeightedSums
 #endif
 };
 
-void clearWeights(out WeightedSums sums)
+void clearWeights(OUT(WeightedSums) sums)
 {
-  sums.color = vec3(0.0);
-  sums.weights = Channels(0.0);
+  sums.color = vec3(0.0f);
+  sums.weights = Channels(0.0f);
 #if TRANSMITTANCE_CHANNELS == 3
-  sums.light = vec3(0.0);
+  sums.light = vec3(0.0f);
 #endif
 }
 
 // color is multiplied by the opacity.
-void addWeighted(inout WeightedSums sums, vec3 color, Channels opacity, Channels visibility)
+void addWeighted(INOUT(WeightedSums) sums, vec3 color, Channels opacity, Channels visibility)
 {
   sums.color += visibility * color;
   sums.weights += visibility * opacity;
@@ -45,7 +48,7 @@ void addWeighted(inout WeightedSums sums, vec3 color, Channels opacity, Channels
 
 float correctionOf(float weights, float transmittance)
 {
-  return weights > 0.0 ? (1.0 - transmittance) / weights : 1.0;
+  return weights > 0.0f ? (1.0f - transmittance) / weights : 1.0f;
 }
 
 #if TRANSMITTANCE_CHANNELS == 3
