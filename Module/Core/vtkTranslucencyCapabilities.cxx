@@ -15,6 +15,7 @@
 namespace
 {
 constexpr vtkTypeInt64 BlockBytesOfLlvmpipe = vtkTypeInt64(1) << 31;
+constexpr GLint MostTargets = 8; // that shaders unroll (Common/EachVector.glsl)
 
 std::set<std::string> Extensions()
 {
@@ -76,6 +77,12 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
   result.MissingForBuffers = missing({ "GL_ARB_draw_buffers_blend", "GL_ARB_explicit_attrib_location" });
   result.MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
+  result.MissingForFetch = missing({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_explicit_attrib_location" });
+  GLint drawn = 0;
+  GLint attached = 0;
+  glGetIntegerv(GL_MAX_DRAW_BUFFERS, &drawn);
+  glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attached);
+  result.MaximumTargets = std::min({ drawn, attached, MostTargets });
   for (const char* name : { "GL_INTEL_fragment_shader_ordering", "GL_NV_fragment_shader_interlock",
          "GL_ARB_fragment_shader_interlock" })
   {

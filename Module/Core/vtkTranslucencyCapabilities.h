@@ -26,6 +26,10 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// What blending with a transmittance of red, green and blue each needs, in the same way.
   std::string MissingForTransmission;
 
+  /// What records of pixels in colours need that fragments fetch, in the same way; and the most colours that a fragment can draw.
+  std::string MissingForFetch;
+  int MaximumTargets = 0;
+
   /// The extension by which a fragment shader can have a pixel to itself, in the order of drawing; empty if the driver has none.
   std::string Interlock;
 

@@ -284,10 +284,10 @@ vtkTranslucencyFrame::ScopedTargets::ScopedTargets(vtkOpenGLRenderWindow* window
     return;
   }
   this->Obstacle = stage.Targets->Bind(window, stage.HidesBehind);
-  if (this->Obstacle.empty() && !stage.Keep)
+  if (this->Obstacle.empty() && stage.Cleared > 0)
   {
     window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    stage.Targets->Clear(stage.Clear);
+    stage.Targets->Clear(stage.Clear, stage.Cleared);
     for (const auto& differing : stage.Differing)
     {
       stage.Targets->Clear(differing.first, differing.second.Clear);
@@ -480,6 +480,7 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() con
   offered["TRANSMITTANCE_CHANNELS"] = std::to_string(this->GetChannels());
   offered["SAMPLES"] = std::to_string(this->Samples);
   offered["TARGET_SAMPLES"] = std::to_string(this->TargetSamples);
+  offered["RECORD_TARGETS"] = std::to_string(this->FetchedRecords ? this->FetchedRecords->GetCount() : 0);
   offered["NODE_LINKS"] = std::to_string(static_cast<int>(vtkFragmentStorage::Links::None));
   offered["FRAGMENT_ORDER"] = this->Pass->Internal->Capabilities.KeepsDrawOrder
     ? "FRAGMENT_ORDER_DRAWN"
@@ -491,7 +492,7 @@ std::map<std::string, std::string> vtkTranslucencyFrame::GetOfferedDefines() con
 std::map<std::string, std::string> vtkTranslucencyFrame::GetSelection() const
 {
   std::map<std::string, std::string> selection{ { "CriticalSection",
-    this->Pass->GetSelectedCriticalSection(this->Pass->Internal->Capabilities) } };
+    this->FetchedRecords ? "None" : this->Pass->GetSelectedCriticalSection(this->Pass->Internal->Capabilities) } };
   if (this->Storage)
   {
     selection["Storage"] = this->Storage->GetShaderName();
@@ -544,6 +545,7 @@ bool vtkTranslucencyFrame::PrepareGather()
   kept.GatherText = shader.GetText() + mean;
   kept.GatherCall = GatherCall(0, false, !mean.empty());
   kept.GatherStores = true;
+  kept.GatherFetches = false;
   kept.GatherRejects = false;
   kept.Volumes.SetGatherText(volumes.GetText());
   kept.GatherTextTime.Modified();
@@ -561,18 +563,21 @@ bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
   {
     return true;
   }
+  const bool fetches = gathering.Critical && this->FetchedRecords;
   const std::string call = GatherCall(gathering.Outputs, gathering.Critical, !mean.empty());
   // Alone, the text has no declarations of what VTK's shaders write.
-  std::string main = std::regex_replace(call, std::regex("gl_FragData\\[(\\d+)\\]"), "fragOutput$1");
+  std::string main = "gl_FragData[0] = vec4(1.0); " + call;
+  main = fetches ? vtkTranslucencyShader::FreeOutputs(main)
+                 : std::regex_replace(main, std::regex("gl_FragData\\[(\\d+)\\]"), "fragOutput$1");
   main = std::regex_replace(main, std::regex("GATHERED_DEPTH"), "0.5");
-  std::string outputs = "out vec4 fragOutput0;\n";
+  std::string outputs = fetches ? "" : "out vec4 fragOutput0;\n";
   for (int i = 1; i < gathering.Outputs; ++i)
   {
     outputs += "out vec4 fragOutput" + std::to_string(i) + ";\n";
   }
   vtkTranslucencyShader shader;
   if (!shader.Assemble(gathering.File, gathering.Values, this->GetOfferedDefines(), this->GetSelection()) ||
-    !shader.Validate(mean + outputs + "void main() { fragOutput0 = vec4(1.0); " + main + " }\n"))
+    !shader.Validate(mean + outputs + "void main() { " + main + " }\n"))
   {
     return this->Fail(shader.GetError());
   }
@@ -580,6 +585,7 @@ bool vtkTranslucencyFrame::PrepareGather(const Gathering& gathering)
   kept.GatherText = shader.GetText() + mean;
   kept.GatherCall = call;
   kept.GatherStores = gathering.Critical;
+  kept.GatherFetches = fetches;
   kept.GatherRejects = gathering.Rejects;
   kept.GatherTextTime.Modified();
   return true;
@@ -1071,14 +1077,21 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit)
+bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, int fetchedEmpty)
 {
   using Size = vtkTranslucencyPixels::Size;
-  this->HasRecords = true;
   this->UseWholeViewport();
   const vtkTranslucencyCapabilities& capabilities = this->Pass->Internal->Capabilities;
-  const bool locks = this->GetSelection().at("CriticalSection") == "Spinlock";
   const auto limit = static_cast<vtkTypeInt64>(capabilities.GetLimitBytes(memoryLimit));
+  this->FetchedEmpty = fetchedEmpty;
+  this->FetchedRecords = fetchedEmpty > 0 && this->FetchPixels(pixels, words, limit) ? &pixels.GetTargets() : nullptr;
+  this->HasRecords = !this->FetchedRecords;
+  if (this->FetchedRecords)
+  {
+    this->UseTile();
+    return true;
+  }
+  const bool locks = this->GetSelection().at("CriticalSection") == "Spinlock";
   for (;;)
   {
     const Size size = vtkTranslucencyPixels::GetSize(this->Tile, this->Samples, words, locks);
@@ -1107,13 +1120,25 @@ bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, d
 }
 
 //------------------------------------------------------------------------------
+// Whether records are kept in colours: makes room for them if so.
+bool vtkTranslucencyFrame::FetchPixels(vtkTranslucencyPixels& pixels, int words, vtkTypeInt64 limit)
+{
+  const vtkTranslucencyCapabilities& capabilities = this->Pass->Internal->Capabilities;
+  const int width = this->Drawn[0] + this->Drawn[2];
+  const int height = this->Drawn[1] + this->Drawn[3];
+  return this->Pass->GetCriticalSection() == vtkTranslucencyPass::Automatic && capabilities.MissingForFetch.empty() &&
+    this->TargetSamples == 1 && vtkTranslucencyPixels::CountTargets(words) <= capabilities.MaximumTargets &&
+    vtkTranslucencyPixels::GetTargetBytes(width, height, words) <= limit && pixels.BeginTargets(width, height, words);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats)
 {
   this->UseWholeViewport();
   std::vector<vtkTranslucencyTargets::Format> floats;
   for (int format : formats)
   {
-    floats.push_back(static_cast<vtkTranslucencyTargets::Format>(format));
+    floats.push_back(vtkTranslucencyTargets::Floats(format));
   }
   if (!targets.Reserve(this->Drawn[0] + this->Drawn[2], this->Drawn[1] + this->Drawn[3], this->TargetSamples, floats))
   {
@@ -1213,25 +1238,38 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, 
   {
     return false;
   }
-  ScopedTargets targets(this->Window, stage);
+  const Stage drawn = kept.GatherFetches ? this->GetFetchedStage(stage) : stage;
+  ScopedTargets targets(this->Window, drawn);
   if (!targets.GetObstacle().empty())
   {
     return this->Fail(targets.GetObstacle());
   }
-  if (!stage.Targets)
+  if (!drawn.Targets)
   {
     this->UseTile();
   }
   {
-    const ScopedTextures inputs(this->Window, stage.Inputs);
-    kept.GatherUniforms = stage.Values;
-    kept.GatherUniforms["gatherStage"] = stage.Number;
+    const ScopedTextures inputs(this->Window, drawn.Inputs);
+    kept.GatherUniforms = drawn.Values;
+    kept.GatherUniforms["gatherStage"] = drawn.Number;
     kept.GatherUniforms.insert(inputs.GetUnits().begin(), inputs.GetUnits().end());
     kept.GatherError.clear();
-    this->DrawGeometry(stage, gathering.Outputs > 0, any);
+    this->DrawGeometry(drawn, gathering.Outputs > 0 || kept.GatherFetches, any);
   }
   this->FinishRecords();
   return this->IsDrawn();
+}
+
+//------------------------------------------------------------------------------
+// The stage that draws to the colours in which records are kept.
+vtkTranslucencyFrame::Stage vtkTranslucencyFrame::GetFetchedStage(const Stage& stage) const
+{
+  Stage fetched = stage;
+  fetched.Targets = this->FetchedRecords;
+  fetched.Blend = Blending::Replace;
+  fetched.Clear.fill(EMPTY_NUMBER);
+  fetched.Cleared = vtkTranslucencyPixels::CountTargets(this->FetchedEmpty);
+  return fetched;
 }
 
 //------------------------------------------------------------------------------
@@ -1295,6 +1333,10 @@ bool vtkTranslucencyFrame::Composite(const std::string& file, const Defines& def
   over.Blend = this->GetOver();
   over.Inputs = inputs;
   over.Values = uniforms;
+  for (int i = 0; this->FetchedRecords && i < this->FetchedRecords->GetCount(); ++i)
+  {
+    over.Inputs.push_back({ "recordTarget" + std::to_string(i), this->FetchedRecords, i });
+  }
   if (!this->DrawScreen(file, defines, over))
   {
     return false;

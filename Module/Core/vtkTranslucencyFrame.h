@@ -111,18 +111,22 @@ public:
   {
     int Number = 0;
     std::vector<Part> Parts; ///< drawn in this order; empty: all props, in theirs
-    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before (but see Keep); null: colours go over the opaque picture
+    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before (but see Cleared); null: colours go over the opaque picture
     Blending Blend = Blending::Add;
     bool HidesBehind = false; ///< fragments write depth, to a depth buffer of the targets that starts as the opaque one
     std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
     std::vector<Input> Inputs;
     Uniforms Values;
     std::map<int, Buffer> Differing; ///< buffers for which Blend and Clear don't hold: needs Capabilities.MissingForBuffers to be empty
-    bool Keep = false; ///< whether Targets keep what is in them, of earlier stages or frames, instead of being cleared
+    int Cleared = VTK_INT_MAX; ///< how many of Targets are cleared, the first ones; the others keep what is in them, of earlier stages or frames
   };
 
   /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
-  bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit);
+  ///
+  /// They lie in buffers, or, if fetchedEmpty is above 0, in colours that fragments fetch (Shaders/Common/PixelTargets.glsl), which is
+  /// several times as fast on the software rasterizer: where the driver can, the critical section is chosen automatically, a pixel has one
+  /// sample, and all of the picture's records find room. The first fetchedEmpty words of a record are then EMPTY_NUMBER in the beginning.
+  bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, int fetchedEmpty = 0);
 
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
@@ -238,6 +242,8 @@ private:
   bool UseStatistics();
   static void FinishStores();
   void FinishRecords();
+  bool FetchPixels(vtkTranslucencyPixels& pixels, int words, vtkTypeInt64 limit);
+  Stage GetFetchedStage(const Stage& stage) const;
   bool Retrieve();
   bool CountAccesses();
   void ReportAccesses();
@@ -281,7 +287,9 @@ private:
   Transmissions Transmission = Transmissions::None;
   bool Cut = false; // whether this frame has cut a tile
   bool CountsStatistics = false; // whether a shader of this frame has counted any (Shaders/Common/Statistics.glsl)
-  bool HasRecords = false; // whether this frame has records of pixels
+  bool HasRecords = false; // whether this frame has records of pixels in buffers,
+  vtkTranslucencyTargets* FetchedRecords = nullptr; // or in these colours,
+  int FetchedEmpty = 0; // of which so many words are empty in the beginning
   int Sample = WholePixel; // that resolves see
   int Among = -1;
   vtkStorageAccounting::Histogram Counted; // where accesses are counted: of all tiles,

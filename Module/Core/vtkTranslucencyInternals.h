@@ -87,6 +87,7 @@ struct vtkTranslucencyPass::Internals
   std::string GatherText;
   std::string GatherCall;    // the call of it; GATHERED_DEPTH stands for the fragment's depth
   bool GatherStores = false; // whether it has effects besides the colours that it draws
+  bool GatherFetches = false; // whether it fetches records, and draws them in the place of VTK's colour
   bool GatherRejects = false; // whether the text has a function to be called before the fragment is shaded
   vtkTimeStamp GatherTextTime;
   bool GatherWritesDepth = false;

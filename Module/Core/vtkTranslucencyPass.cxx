@@ -705,7 +705,7 @@ bool vtkTranslucencyPass::InsertGather(std::string& fragmentShader, const std::s
   {
     return false;
   }
-  fragmentShader = text;
+  fragmentShader = kept.GatherFetches ? Shader::FreeOutputs(text) : text;
   return true;
 }
 

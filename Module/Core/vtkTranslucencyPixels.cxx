@@ -2,24 +2,45 @@
 
 #include "Common/Bindings.glsl"
 
+#include <numeric>
+#include <vector>
+
+namespace
+{
+constexpr vtkTypeInt64 WordBytes = 4;
+constexpr int WordsOfTarget = 4;
+
+// Words in each of the colours.
+std::vector<int> Divide(int words)
+{
+  std::vector<int> targets(words / WordsOfTarget, WordsOfTarget);
+  const int left = words % WordsOfTarget;
+  if (left > 0)
+  {
+    targets.push_back(left == 3 ? WordsOfTarget : left);
+  }
+  return targets;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkTranslucencyPixels::Size vtkTranslucencyPixels::GetSize(
   const std::array<int, 4>& tile, int samples, int words, bool locks)
 {
-  constexpr vtkTypeInt64 wordBytes = 4;
   const vtkTypeInt64 across = (tile[2] + PIXEL_BLOCK_WIDTH - 1) / PIXEL_BLOCK_WIDTH;
   const vtkTypeInt64 down = (tile[3] + PIXEL_BLOCK_HEIGHT - 1) / PIXEL_BLOCK_HEIGHT;
   const vtkTypeInt64 pixels = across * down * PIXEL_BLOCK_WIDTH * PIXEL_BLOCK_HEIGHT;
   Size size;
-  size.Counts = pixels * samples * wordBytes;
+  size.Counts = pixels * samples * WordBytes;
   size.Records = size.Counts * words;
-  size.Locks = locks ? pixels * wordBytes : 0;
+  size.Locks = locks ? pixels * WordBytes : 0;
   return size;
 }
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPixels::Begin(const Size& size)
 {
+  this->Targets.Release();
   if (!this->Counts.Reserve(size.Counts) || !this->Records.Reserve(size.Records) ||
     (size.Locks > 0 && !this->Locks.Reserve(size.Locks)))
   {
@@ -38,9 +59,36 @@ bool vtkTranslucencyPixels::Begin(const Size& size)
 }
 
 //------------------------------------------------------------------------------
+int vtkTranslucencyPixels::CountTargets(int words)
+{
+  return static_cast<int>(Divide(words).size());
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTranslucencyPixels::GetTargetBytes(int width, int height, int words)
+{
+  const std::vector<int> targets = Divide(words);
+  return WordBytes * std::accumulate(targets.begin(), targets.end(), 0) * width * height;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPixels::BeginTargets(int width, int height, int words)
+{
+  this->Counts.Release();
+  this->Records.Release();
+  this->Locks.Release();
+  std::vector<vtkTranslucencyTargets::Format> formats;
+  for (int count : Divide(words))
+  {
+    formats.push_back(vtkTranslucencyTargets::Words(count));
+  }
+  return this->Targets.Reserve(width, height, 1, formats);
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyPixels::GetBytes() const
 {
-  return this->Counts.GetBytes() + this->Records.GetBytes() + this->Locks.GetBytes();
+  return this->Counts.GetBytes() + this->Records.GetBytes() + this->Locks.GetBytes() + this->Targets.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -49,4 +97,5 @@ void vtkTranslucencyPixels::Release(bool contextAlive)
   this->Counts.Release(contextAlive);
   this->Records.Release(contextAlive);
   this->Locks.Release(contextAlive);
+  this->Targets.Release(contextAlive);
 }

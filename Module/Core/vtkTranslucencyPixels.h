@@ -1,12 +1,16 @@
 /**
- * A record of bounded size for each pixel, or for each sample of it, that a technique's shaders change fragment by fragment under a critical
- * section (Shaders/Common/Pixels.glsl). Memory: 4 * (words + 1) bytes a sample, and 4 a pixel where the critical section is a spin lock.
+ * A record of bounded size for each pixel, or for each sample of it, that a technique's shaders change fragment by fragment.
+ *
+ * In buffers, under a critical section (Shaders/Common/Pixels.glsl): 4 * (words + 1) bytes a sample, and 4 a pixel where the critical section is
+ * a spin lock. Or in colours that fragments fetch and draw again (Shaders/Common/PixelTargets.glsl): 16 bytes for each four words, and 4, 8 or
+ * 16 for what is left of them.
  */
 #ifndef vtkTranslucencyPixels_h
 #define vtkTranslucencyPixels_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
 #include "vtkTranslucencyBuffer.h"
+#include "vtkTranslucencyTargets.h"
 
 #include <array>
 
@@ -24,8 +28,17 @@ public:
   };
   static Size GetSize(const std::array<int, 4>& tile, int samples, int words, bool locks);
 
-  /// Makes room, with all counts 0, and binds it. False if there is no memory for it.
+  /// Makes room in buffers, with all counts 0, and binds it. False if there is no memory for it.
   bool Begin(const Size& size);
+
+  /// How many colours have room for that many words, and what they take in a framebuffer.
+  static int CountTargets(int words);
+  static vtkTypeInt64 GetTargetBytes(int width, int height, int words);
+
+  /// Makes room in colours. False if there is no memory for it.
+  bool BeginTargets(int width, int height, int words);
+
+  vtkTranslucencyTargets& GetTargets() { return this->Targets; }
 
   vtkTypeInt64 GetBytes() const;
   void Release(bool contextAlive = true);
@@ -34,6 +47,7 @@ private:
   vtkTranslucencyBuffer Counts;
   vtkTranslucencyBuffer Records;
   vtkTranslucencyBuffer Locks;
+  vtkTranslucencyTargets Targets;
 };
 
 #endif

@@ -33,6 +33,7 @@ const char* vtkTranslucencyShader::GetExtensions()
          OPTIONAL_EXTENSION("GL_ARB_blend_func_extended")      // of two source colours
          OPTIONAL_EXTENSION("GL_ARB_gpu_shader_int64") // stores of two words
          OPTIONAL_EXTENSION("GL_ARB_post_depth_coverage")
+         OPTIONAL_EXTENSION("GL_EXT_shader_framebuffer_fetch") // records of pixels in colours
          OPTIONAL_EXTENSION("GL_ARB_ES3_1_compatibility") // gl_HelperInvocation
          OPTIONAL_EXTENSION("GL_ARB_fragment_shader_interlock")
          OPTIONAL_EXTENSION("GL_NV_fragment_shader_interlock")
@@ -164,6 +165,12 @@ std::string vtkTranslucencyShader::NameSources(const std::string& log) const
       named, std::regex("\\b" + number + "(:|\\()(\\d+)\\)?"), this->Files[i] + ":$2");
   }
   return named;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyShader::FreeOutputs(const std::string& text)
+{
+  return std::regex_replace(text, std::regex("gl_FragData\\["), "gatheredColors[");
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,10 @@ public:
   static bool Substitute(std::string& text, const std::string& anchor, const std::string& replacement,
     const std::string& who, std::string& error);
 
+  /// Makes the colours that a mapper's shader writes, gl_FragData, plain variables: gatheredColors, where a technique has all outputs to
+  /// itself (Shaders/Common/PixelTargets.glsl).
+  static std::string FreeOutputs(const std::string& text);
+
 private:
   bool Append(const std::string& file, const std::string& includer, int line);
   bool Define(const Defines& defines, bool required, std::string& head);

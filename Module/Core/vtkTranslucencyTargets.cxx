@@ -5,18 +5,38 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace
 {
-GLenum InternalFormat(vtkTranslucencyTargets::Format format)
+// What a format is to OpenGL.
+struct Texels
 {
-  using Format = vtkTranslucencyTargets::Format;
-  return format == Format::Float1 ? GL_R32F : format == Format::Float2 ? GL_RG32F : GL_RGBA32F;
-}
+  GLenum Internal;
+  GLenum Pixels;
+  GLenum Type;
+  int Components;
+};
 
-GLenum PixelFormat(vtkTranslucencyTargets::Format format)
+Texels GetTexels(vtkTranslucencyTargets::Format format)
 {
   using Format = vtkTranslucencyTargets::Format;
-  return format == Format::Float1 ? GL_RED : format == Format::Float2 ? GL_RG : GL_RGBA;
+  switch (format)
+  {
+    case Format::Float1:
+      return { GL_R32F, GL_RED, GL_FLOAT, 1 };
+    case Format::Float2:
+      return { GL_RG32F, GL_RG, GL_FLOAT, 2 };
+    case Format::Word1:
+      return { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1 };
+    case Format::Word2:
+      return { GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2 };
+    case Format::Word4:
+      return { GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 4 };
+    default:
+      return { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4 };
+  }
 }
 
 GLint DepthAttachment(unsigned int framebuffer, GLenum what)
@@ -55,6 +75,18 @@ GLenum FindDepthFormat(GLenum type, GLuint depth, GLint level, bool several)
 }
 
 //------------------------------------------------------------------------------
+vtkTranslucencyTargets::Format vtkTranslucencyTargets::Floats(int count)
+{
+  return count == 1 ? Format::Float1 : count == 2 ? Format::Float2 : Format::Float4;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyTargets::Format vtkTranslucencyTargets::Words(int count)
+{
+  return count == 1 ? Format::Word1 : count == 2 ? Format::Word2 : Format::Word4;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyTargets::Reserve(int width, int height, int samples, const std::vector<Format>& formats)
 {
   if (width == this->Width && height == this->Height && samples == this->Samples && formats == this->Formats)
@@ -77,18 +109,19 @@ bool vtkTranslucencyTargets::Reserve(int width, int height, int samples, const s
   glGenTextures(static_cast<GLsizei>(formats.size()), this->Textures.data());
   for (std::size_t i = 0; i < formats.size(); ++i)
   {
+    const Texels texels = GetTexels(formats[i]);
     glBindTexture(target, this->Textures[i]);
     if (samples > 1)
     {
-      glTexImage2DMultisample(target, samples, InternalFormat(formats[i]), width, height, GL_TRUE);
+      glTexImage2DMultisample(target, samples, texels.Internal, width, height, GL_TRUE);
     }
     else
     {
       glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0); // before it gets memory, or drivers may take that of smaller levels, too
       glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
       glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-      glTexImage2D(target, 0, static_cast<GLint>(InternalFormat(formats[i])), width, height, 0,
-        PixelFormat(formats[i]), GL_FLOAT, nullptr);
+      glTexImage2D(
+        target, 0, static_cast<GLint>(texels.Internal), width, height, 0, texels.Pixels, texels.Type, nullptr);
     }
   }
   glBindTexture(target, static_cast<GLuint>(bound));
@@ -169,7 +202,7 @@ std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window, bool cop
   if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
     this->Unbind();
-    return "the driver can't draw to floating-point colours with the window's depth buffer";
+    return "the driver can't draw to colours of 32-bit numbers with the window's depth buffer";
   }
   if (copyDepth)
   {
@@ -181,18 +214,25 @@ std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window, bool cop
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyTargets::Clear(const std::array<float, 4>& value)
+void vtkTranslucencyTargets::Clear(const std::array<float, 4>& value, int count)
 {
-  for (std::size_t i = 0; i < this->Textures.size(); ++i)
+  for (int i = 0; i < std::min(count, this->GetCount()); ++i)
   {
-    this->Clear(static_cast<int>(i), value);
+    this->Clear(i, value);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyTargets::Clear(int index, const std::array<float, 4>& value)
 {
-  glClearBufferfv(GL_COLOR, index, value.data());
+  if (GetTexels(this->Formats[index]).Type == GL_FLOAT)
+  {
+    glClearBufferfv(GL_COLOR, index, value.data());
+    return;
+  }
+  GLuint words[4];
+  std::memcpy(words, value.data(), sizeof(words));
+  glClearBufferuiv(GL_COLOR, index, words);
 }
 
 //------------------------------------------------------------------------------
@@ -249,17 +289,17 @@ unsigned int vtkTranslucencyTargets::GetTarget() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyTargets::GetBytes() const
 {
-  vtkTypeInt64 floats = 0;
+  vtkTypeInt64 words = 0;
   for (Format format : this->Formats)
   {
-    floats += static_cast<int>(format);
+    words += GetTexels(format).Components;
   }
   if (this->Depth != 0)
   {
-    ++floats; // depths take as much
+    ++words; // depths take as much
   }
-  constexpr vtkTypeInt64 bytesOfFloat = 4;
-  return floats * bytesOfFloat * this->Width * this->Height * this->Samples;
+  constexpr vtkTypeInt64 bytesOfWord = 4;
+  return words * bytesOfWord * this->Width * this->Height * this->Samples;
 }
 
 //------------------------------------------------------------------------------

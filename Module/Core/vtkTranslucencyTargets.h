@@ -1,5 +1,6 @@
 /**
- * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage.
+ * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage; or integer ones, of which fragments
+ * fetch what earlier ones have drawn (Shaders/Common/PixelTargets.glsl).
  *
  * They cover the framebuffer that the opaque geometry was drawn to, have as many samples, and share its depth buffer while they are drawn
  * to: nothing is copied, and fragments behind opaque geometry are rejected before they are shaded. Where a technique writes depth, they have
@@ -22,13 +23,20 @@ class vtkOpenGLRenderWindow;
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyTargets
 {
 public:
-  /// 32-bit floats a pixel and sample.
+  /// 32-bit floats, or unsigned integers, a pixel and sample.
   enum class Format
   {
-    Float1 = 1,
-    Float2 = 2,
-    Float4 = 4
+    Float1,
+    Float2,
+    Float4,
+    Word1,
+    Word2,
+    Word4
   };
+
+  /// The format of this many floats or words: 1, 2 or 4.
+  static Format Floats(int count);
+  static Format Words(int count);
 
   vtkTranslucencyTargets() = default;
   vtkTranslucencyTargets(const vtkTranslucencyTargets&) = delete;
@@ -41,8 +49,8 @@ public:
   /// rectangle. Gives what is wrong, empty if nothing is.
   std::string Bind(vtkOpenGLRenderWindow* window, bool copyDepth = false);
 
-  /// Sets all of them to a value, within the scissor rectangle. They have to be bound.
-  void Clear(const std::array<float, 4>& value);
+  /// Sets the first ones to a value, within the scissor rectangle; words to its bits. They have to be bound.
+  void Clear(const std::array<float, 4>& value, int count);
 
   /// The same for one of them.
   void Clear(int index, const std::array<float, 4>& value);
@@ -57,6 +65,7 @@ public:
   /// GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE, and the texture's name.
   unsigned int GetTarget() const;
   unsigned int GetTexture(int index) const { return this->Textures[index]; }
+  int GetCount() const { return static_cast<int>(this->Textures.size()); }
 
   int GetCount() const { return static_cast<int>(this->Textures.size()); }
 

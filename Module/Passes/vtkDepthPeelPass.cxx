@@ -255,7 +255,7 @@ bool vtkDepthPeelPass::Peel(vtkTranslucencyFrame& frame, bool& left)
   // The first drawing finds bounds only. The others take a layer off, or two.
   const int most = this->Layers == 0 ? VTK_INT_MAX : 1 + (dual ? (this->Layers + 1) / 2 : this->Layers);
   left = frame.Clear(merge);
-  merge.Keep = true;
+  merge.Cleared = 0;
   bool good = left;
   for (int drawing = 0; left && good && drawing < most; ++drawing)
   {

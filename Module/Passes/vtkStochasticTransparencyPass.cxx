@@ -228,7 +228,7 @@ bool vtkStochasticTransparencyPass::DrawRound(vtkTranslucencyFrame& frame, int r
   sums.Targets = &this->Sums;
   sums.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
   sums.Clear = { { 0, 0, 0, 1 } };
-  sums.Keep = !first;
+  sums.Cleared = first ? VTK_INT_MAX : 0;
   sums.Values = { { "stochasticAttenuation", first ? 1.0f : 0.0f } };
   for (int i = 0; i < this->GetSamplesOfRound() / BufferSamples; ++i)
   {

@@ -20,6 +20,8 @@
 #define PIXEL_BLOCK_WIDTH 8 // see Pixels.glsl
 #define PIXEL_BLOCK_HEIGHT 4
 
+#define EMPTY_NUMBER 1e30f // behind every depth: see PixelTargets.glsl
+
 #define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
 #define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout
 #define UNIFORM_BINDINGS 2

@@ -5,6 +5,13 @@
 #include "Common/Coverage.glsl"
 #include "Common/Pixels.glsl"
 
+#if RECORD_TARGETS
+void gatherFragment(vec4 color, float depth)
+{
+  updatePixel(pixelRecord(ivec2(gl_FragCoord.xy), 0), color, depth);
+  drawRecord();
+}
+#else
 void updateSamples(ivec2 pixel, vec4 color, float depth)
 {
   uint coverage = coveredSamples();
@@ -25,3 +32,4 @@ void gatherFragment(vec4 color, float depth)
     CRITICAL_SECTION(pixel, updateSamples(pixel, color, depth))
   }
 }
+#endif

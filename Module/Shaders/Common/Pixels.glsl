@@ -5,9 +5,17 @@
 //
 // Counts are 0 in the beginning; the words are what was there before.
 //
-// Needs: PIXEL_WORDS, SAMPLES.  Gives: pixelIndex, PixelRecord, pixelRecord, recordCount, setRecordCount, recordWord, setRecordWord.
+// With RECORD_TARGETS above 0 they lie in that many colours instead, have no count, and PixelTargets.glsl gives what there is.
+//
+// Needs: PIXEL_WORDS, SAMPLES, RECORD_TARGETS.  Gives: pixelIndex, PixelRecord, pixelRecord, recordCount, setRecordCount, recordWord, setRecordWord.
 #ifndef Pixels_glsl
 #define Pixels_glsl
+#ifndef RECORD_TARGETS
+#error "Pixels.glsl needs RECORD_TARGETS"
+#endif
+#if RECORD_TARGETS
+#include "Common/PixelTargets.glsl"
+#else
 #include "Common/Bindings.glsl"
 #include "Common/Frame.glsl"
 #include "CriticalSection/Selected.glsl"
@@ -75,4 +83,5 @@ void setRecordWord(PixelRecord record, int word, uint value)
   pixelRecords[record.words + uint(word) * PIXELS_OF_BLOCK] = value;
 }
 
+#endif
 #endif
