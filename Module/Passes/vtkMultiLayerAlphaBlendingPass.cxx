@@ -15,9 +15,9 @@ constexpr int LeastLayers = 1;
 constexpr int MostLayers = 32;
 
 // MultiLayer/Layers.glsl
-int WordsOfLayer(int channels)
+int WordsOfLayer(int channels, bool bytes)
 {
-  return channels == 3 ? 4 : 3;
+  return 1 + (bytes ? 1 : 2) + (channels == 3 ? 1 : 0);
 }
 
 int WordsOfAverage(int channels)
@@ -47,6 +47,7 @@ void vtkMultiLayerAlphaBlendingPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "Tail: " << Tails[this->Tail] << "\n";
+  os << indent << "ColorFormat: " << (this->ColorFormat == RGBA8 ? "RGBA8" : "HalfFloat") << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }
 
@@ -81,6 +82,21 @@ void vtkMultiLayerAlphaBlendingPass::SetTail(int tail)
 }
 
 //------------------------------------------------------------------------------
+void vtkMultiLayerAlphaBlendingPass::SetColorFormat(int format)
+{
+  if (format != HalfFloat && format != RGBA8)
+  {
+    vtkErrorMacro(<< "ColorFormat is " << format << ", expected HalfFloat (0) or RGBA8 (1)");
+    return;
+  }
+  if (this->ColorFormat != format)
+  {
+    this->ColorFormat = format;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetMemoryLimit(double mebibytes)
 {
   if (!(mebibytes >= 0))
@@ -106,6 +122,9 @@ std::vector<vtkTranslucencyOption> vtkMultiLayerAlphaBlendingPass::GetOptions()
       "what becomes of fragments behind the layers: merged into the last, left out, or averaged behind it",
       [this] { return this->GetTail(); }, [this](double value) { this->SetTail(static_cast<int>(value)); } },
     this->GetCriticalSectionOption(),
+    { "ColorFormat", "color_format", Kind::Choice, 0, 0, 1, { "half-float", "rgba8" },
+      "half floats keep colours above 1 and small opacities; rgba8 takes two thirds of the memory, and rounds at each merging",
+      [this] { return this->GetColorFormat(); }, [this](double value) { this->SetColorFormat(static_cast<int>(value)); } },
     { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
       "graphics memory for layers, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's memory, or 2048",
       [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
@@ -122,12 +141,15 @@ std::string vtkMultiLayerAlphaBlendingPass::GetMissing(vtkOpenGLRenderWindow* wi
 bool vtkMultiLayerAlphaBlendingPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   const vtkTranslucencyFrame::Defines layers{ { "LAYERS", std::to_string(this->Layers) },
-    { "TAIL", Tails[this->Tail] } };
+    { "TAIL", Tails[this->Tail] },
+    { "COLOR_FORMAT", this->ColorFormat == RGBA8 ? "COLOR_FORMAT_RGBA8" : "COLOR_FORMAT_HALF_FLOAT" } };
   const int channels = frame.GetChannels();
-  const int words = this->Layers * WordsOfLayer(channels) + (this->Tail == Average ? WordsOfAverage(channels) : 0);
+  const int words = this->Layers * WordsOfLayer(channels, this->ColorFormat == RGBA8) +
+    (this->Tail == Average ? WordsOfAverage(channels) : 0);
+  const int empty = this->Layers + (this->Tail == Average ? 1 : 0); // MultiLayer/Layers.glsl
   vtkTranslucencyFrame::Gathering gathering{ "MultiLayer/Gather.glsl", layers };
   gathering.Critical = true;
-  return frame.UsePixels(this->Pixels, words, this->MemoryLimit) && frame.Draw(gathering, {}) &&
+  return frame.UsePixels(this->Pixels, words, this->MemoryLimit, empty) && frame.Draw(gathering, {}) &&
     frame.Composite("MultiLayer/Resolve.glsl", layers, {});
 }
 

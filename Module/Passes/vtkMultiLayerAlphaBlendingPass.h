@@ -12,9 +12,14 @@
  * Transmission colours are kept: a layer has a transmittance of red, green and blue each, and all of the above holds for each of them.
  *
  * Stages:
- * 1. Gather: layers are inserted, and what is too much goes to the tail, under a critical section (12 bytes a layer, and 4, a pixel and
- *    sample; 20 more if Tail is Average; with transmission colours 16 a layer, and 36 more).
+ * 1. Gather: layers are inserted, and what is too much goes to the tail (12 bytes a layer and sample, 8 if ColorFormat is RGBA8; 20 more if Tail
+ *    is Average; with transmission colours 4 more a layer, and 36 more).
  * 2. Composite: the layers one behind the other, and the tail behind them.
+ *
+ * Where layers lie: in colours that a fragment fetches, changes and draws again, as in Bavoil's k-buffer, but in the order of drawing and without
+ * races, where the driver has GL_EXT_shader_framebuffer_fetch, the window has one sample a pixel, CriticalSection is Automatic, and 8 colours of 16
+ * bytes have room for them: up to 10 layers, 16 as RGBA8, fewer with a tail or transmission colours. Else in storage buffers under a critical
+ * section, with 4 bytes more a sample. The picture is the same; the software rasterizer takes three times as long for buffers.
  */
 #ifndef vtkMultiLayerAlphaBlendingPass_h
 #define vtkMultiLayerAlphaBlendingPass_h
@@ -54,6 +59,22 @@ public:
   vtkGetMacro(Tail, int);
   ///@}
 
+  enum ColorFormatType
+  {
+    HalfFloat = 0,
+    RGBA8 = 1
+  };
+
+  ///@{
+  /**
+   * How a layer's colour and what it lets through are kept: HalfFloat (the default, 8 bytes: keeps opacities below 1/255 and colours above 1)
+   * or RGBA8 (4 bytes: each channel rounded to 1/255; where Tail is Merge, again with each fragment that is merged). Another value is an
+   * error and changes nothing.
+   */
+  void SetColorFormat(int format);
+  vtkGetMacro(ColorFormat, int);
+  ///@}
+
   ///@{
   /**
    * The most graphics memory that the layers may take, in MiB; pictures for which that is not enough are drawn in tiles. 0 (the default)
@@ -79,6 +100,7 @@ protected:
   const int DefaultTail = Merge;
   int Tail = Merge;
   int Layers = 4;
+  int ColorFormat = HalfFloat;
   double MemoryLimit = 0;
 
 private:

@@ -281,7 +281,21 @@ Pixel CompositeToTolerance(const std::vector<Fragment>& fragments, int nodeCount
 }
 
 //------------------------------------------------------------------------------
-Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail tail)
+static Pixel RoundToBytes(const Pixel& content)
+{
+  const auto rounded = [](double value) { return std::round(255 * std::min(value, 1.0)) / 255; };
+  const double opacity = 1 - content.Transmittance;
+  Pixel pixel;
+  pixel.Transmittance = 1 - rounded(opacity);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    pixel.Rgb[c] = opacity > 0 ? rounded(opacity) * rounded(content.Rgb[c] / opacity) : 0;
+  }
+  return pixel;
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail tail, bool bytes)
 {
   struct Layer
   {
@@ -303,7 +317,8 @@ Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail t
   {
     const auto place = std::find_if(
       kept.begin(), kept.end(), [&](const Layer& layer) { return fragment.Depth <= layer.Depth; });
-    kept.insert(place, { fragment.Depth, CompositeExact({ fragment }) });
+    const Pixel content = CompositeExact({ fragment });
+    kept.insert(place, { fragment.Depth, bytes ? RoundToBytes(content) : content });
     if (static_cast<int>(kept.size()) <= layers)
     {
       continue;
@@ -312,7 +327,9 @@ Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail t
     kept.pop_back();
     if (tail == Tail::Merge)
     {
-      addBehind(kept.back().Content, last);
+      Pixel& merged = kept.back().Content;
+      addBehind(merged, last);
+      merged = bytes ? RoundToBytes(merged) : merged;
     }
     else if (tail == Tail::Average)
     {

@@ -135,8 +135,9 @@ enum class Tail
 };
 
 /// The nearest fragments exactly, of each moment of the drawing; what was too much then is merged into the farthest of them (Salvi and
-/// Vaidyanathan 2014), dropped (Bavoil et al. 2007) or averaged (Maule et al. 2013).
-Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail tail);
+/// Vaidyanathan 2014), dropped (Bavoil et al. 2007) or averaged (Maule et al. 2013). In bytes, a layer's colour and opacity are rounded to 1/255
+/// when it comes, and when it is merged.
+Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail tail, bool bytes = false);
 
 /// Meshkin 2007: sums, of which the transmittance can't be less than 0 in a framebuffer of bytes.
 Pixel CompositeWeightedSum(const std::vector<Fragment>& fragments);

@@ -3,6 +3,7 @@
 #include "RenderTest.h"
 
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkTranslucencyCapabilities.h>
 #include <vtkTranslucencyStatistics.h>
 
 #include <algorithm>
@@ -39,6 +40,13 @@ Technique Layers(const std::string& name, int layers, Tail tail)
 {
   return { name + std::to_string(layers), name, { { "layers", std::to_string(layers) } },
     [=](const std::vector<Fragment>& fragments) { return Reference::CompositeLayers(fragments, layers, tail); }, true,
+    tail != Tail::Merge };
+}
+
+Technique LayersOfBytes(const std::string& name, int layers, Tail tail)
+{
+  return { name + std::to_string(layers) + "Bytes", name, { { "layers", std::to_string(layers) }, { "color_format", "rgba8" } },
+    [=](const std::vector<Fragment>& fragments) { return Reference::CompositeLayers(fragments, layers, tail, true); }, false,
     tail != Tail::Merge };
 }
 
@@ -82,7 +90,8 @@ std::vector<Technique> Techniques()
   using Reference::Removal;
   return { Layers("mlab", 1, Tail::Merge), Layers("mlab", 4, Tail::Merge), Layers("mlab", 32, Tail::Merge),
     Layers("kbuffer", 1, Tail::Drop), Layers("kbuffer", 8, Tail::Drop), Layers("hybrid", 1, Tail::Average),
-    Layers("hybrid", 8, Tail::Average), AdaptiveFixed(1, "underestimate", Removal::Underestimate),
+    Layers("hybrid", 8, Tail::Average), LayersOfBytes("mlab", 4, Tail::Merge), LayersOfBytes("kbuffer", 16, Tail::Drop),
+    LayersOfBytes("hybrid", 8, Tail::Average), AdaptiveFixed(1, "underestimate", Removal::Underestimate),
     AdaptiveFixed(8, "underestimate", Removal::Underestimate), AdaptiveFixed(16, "underestimate", Removal::Underestimate),
     AdaptiveFixed(16, "overestimate", Removal::Overestimate), AdaptiveFixed(23, "mixed", Removal::Mixed),
     AdaptiveFixed(64, "underestimate", Removal::Underestimate), AdaptiveFixed(8, "underestimate", Removal::Underestimate, false), BucketSort(),
@@ -270,6 +279,49 @@ TEST_F(TestPixelMemory, InTilesGivesTheSamePicture)
       EXPECT_EQ(Compare(whole, view.Render()).Largest, 0);
       EXPECT_EQ(pass->GetStatistics()->GetTiles(), 1);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Records in colours that fragments fetch are those in buffers without their counts.
+TEST_F(TestPixelMemory, IsLessWhereFragmentsFetchIt)
+{
+  const AnalyticScene scene = RandomLayers(100, 75, 2, 20, 0.02, 0.8);
+  const struct
+  {
+    Technique Drawn;
+    bool Transmitting;
+    vtkTypeInt64 Bytes; // a pixel, in colours
+  } cases[] = { { Layers("mlab", 1, Tail::Merge), false, 16 }, { Layers("mlab", 4, Tail::Merge), false, 48 },
+    { Layers("kbuffer", 8, Tail::Drop), false, 96 }, { Layers("hybrid", 4, Tail::Average), false, 68 },
+    { Layers("hybrid", 8, Tail::Average), false, 116 }, { LayersOfBytes("mlab", 4, Tail::Merge), false, 32 },
+    { LayersOfBytes("hybrid", 8, Tail::Average), false, 84 }, { Layers("mlab", 4, Tail::Merge), true, 64 },
+    { Layers("hybrid", 4, Tail::Average), true, 100 }, { LayersOfBytes("kbuffer", 10, Tail::Drop), true, 120 } };
+  for (const auto& one : cases)
+  {
+    SCOPED_TRACE(one.Drawn.Name + (one.Transmitting ? " transmitting" : ""));
+    const auto pass = New(one.Drawn);
+    View view(one.Transmitting ? scene.Transmitting(3) : scene);
+    view.SetPass(pass);
+    const Picture drawn = view.Render();
+    const vtkTypeInt64 bytes = pass->GetStatistics()->GetBytes();
+    EXPECT_TRUE(pass->SetOption("critical_section", "spinlock"));
+    const Picture locked = view.Render();
+    if (KeepsDrawOrder(view))
+    {
+      EXPECT_EQ(Compare(drawn, locked).Largest, 0);
+    }
+    const auto capabilities = vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow::SafeDownCast(view.Window));
+    if (capabilities.MissingForFetch.empty())
+    {
+      constexpr vtkTypeInt64 besides = 100; // for the frame
+      EXPECT_GE(bytes, one.Bytes * scene.Width * scene.Height);
+      EXPECT_LE(bytes, one.Bytes * scene.Width * scene.Height + besides);
+      EXPECT_GE(pass->GetStatistics()->GetBytes(), bytes + 4 * scene.Width * scene.Height); // the locks
+    }
+    EXPECT_TRUE(pass->SetOption("critical_section", "auto"));
+    EXPECT_EQ(Compare(drawn, view.Render()).Largest, 0);
+    EXPECT_EQ(pass->GetStatistics()->GetBytes(), bytes); // buffers are not kept besides
   }
 }
 

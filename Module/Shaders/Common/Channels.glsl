@@ -6,7 +6,7 @@
 //
 // Valid C++, too.
 //
-// Needs: TRANSMITTANCE_CHANNELS (1 or 3), COLOR_FORMAT where fragments are packed.  Gives: Channels, a float or a vec3, meanOf, and PackedColor.
+// Needs: TRANSMITTANCE_CHANNELS (1 or 3), COLOR_FORMAT where fragments are packed.  Gives: Channels, a float or a vec3, meanOf, PackedColor, COLOR_FORMAT_HALF_FLOAT, COLOR_FORMAT_RGBA8.
 #ifndef Channels_glsl
 #define Channels_glsl
 #ifndef TRANSMITTANCE_CHANNELS
@@ -30,6 +30,9 @@ float meanOf(float channel)
   return channel;
 }
 #endif
+
+#define COLOR_FORMAT_HALF_FLOAT 0
+#define COLOR_FORMAT_RGBA8 1
 
 // A fragment's colour and opacities as Common/Fragment.glsl packs them; 0 is a transparent one.
 #if TRANSMITTANCE_CHANNELS == 3

@@ -17,9 +17,6 @@
 #error "Fragment.glsl needs COLOR_FORMAT"
 #endif
 
-#define COLOR_FORMAT_HALF_FLOAT 0
-#define COLOR_FORMAT_RGBA8 1
-
 struct Fragment
 {
   float depth;

@@ -3,9 +3,11 @@
 //
 // Of equal depths, the fragment that comes later is put in front, as in linked lists.
 //
-// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: gatherFragment.
+// Needs: LAYERS, TAIL, COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: gatherFragment.
 #include "Common/Opacity.glsl"
 #include "MultiLayer/Layers.glsl"
+#define NODE_COUNT LAYERS
+#include "Adaptive/EachNode.glsl" // also of layers
 
 #if TAIL == TAIL_MERGE
 // The farther one behind the nearer one: the over operator of colours that are multiplied by their opacity.
@@ -17,16 +19,15 @@ PackedColor mergeLayers(PackedColor nearer, PackedColor farther)
 }
 #endif
 
-// What became too many; count is that of the record.
-void addToTail(PixelRecord record, Layer last, uint count)
+// What became too many; continues says whether something did before.
+void addToTail(PixelRecord record, Layer last, bool continues)
 {
 #if TAIL == TAIL_MERGE
-  int word = (LAYERS - 1) * LAYER_WORDS + 1;
-  setRecordColor(record, word, mergeLayers(recordColor(record, word), last.color));
+  storeColor(record, LAYERS - 1, mergeLayers(loadColor(record, LAYERS - 1), last.color));
 #elif TAIL == TAIL_AVERAGE
   Content layer = unpackContent(last.color);
   Tail tail = Tail(vec3(0.0), Channels(0.0), Channels(1.0));
-  if (count > uint(LAYERS))
+  if (continues)
   {
     tail = loadTail(record, TAIL_WORD);
   }
@@ -34,10 +35,30 @@ void addToTail(PixelRecord record, Layer last, uint count)
   tail.opacity += 1.0 - layer.transmittance;
   tail.transmittance *= layer.transmittance;
   storeTail(record, TAIL_WORD, tail);
-  setRecordCount(record, uint(LAYERS + 1));
 #endif
 }
 
+#if RECORD_TARGETS
+// All layers are in registers: the fragment takes the place of the first that is not in front of it, that one takes the place of the next, and
+// so on.
+void updatePixel(PixelRecord record, vec4 color, float depth)
+{
+  Layer carried = Layer(depth, packContent(Content(color.a * color.rgb, 1.0 - opacityOf(color))));
+  Layer layer;
+  bool stays;
+#define EXCHANGE(k) \
+  layer = loadLayer(record, k); \
+  stays = layer.depth < depth; \
+  storeLayer(record, k, Layer(stays ? layer.depth : carried.depth, stays ? layer.color : carried.color)); \
+  carried = Layer(stays ? carried.depth : layer.depth, stays ? carried.color : layer.color);
+  EACH_NODE(EXCHANGE)
+  if (carried.depth != EMPTY_NUMBER)
+  {
+    addToTail(record, carried, TAIL == TAIL_AVERAGE && recordFloat(record, TAIL_WORD) != EMPTY_NUMBER);
+  }
+}
+#else
+// Layers are moved where they lie: what few fragments need of a long record.
 void updatePixel(PixelRecord record, vec4 color, float depth)
 {
   uint count = recordCount(record);
@@ -64,8 +85,10 @@ void updatePixel(PixelRecord record, vec4 color, float depth)
   }
   else
   {
-    addToTail(record, carried, count);
+    addToTail(record, carried, count > uint(LAYERS));
+    setRecordCount(record, uint(LAYERS + (TAIL == TAIL_AVERAGE ? 1 : 0)));
   }
 }
+#endif
 
 #include "Common/GatherPixels.glsl"

@@ -1,14 +1,15 @@
 // MultiLayer/Resolve.glsl: the layers of a pixel, or a sample of it, one behind the other, and what its tail holds behind them: the mean colour,
 // as opaque as all of it together.
 //
-// Needs: LAYERS, TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.
+// Needs: LAYERS, TAIL, COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS.
+#define RECORDS_READ_ONLY 1
 #include "Common/MeanColor.glsl"
 #include "MultiLayer/Layers.glsl"
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
 {
   PixelRecord record = sampleRecord();
-  uint count = recordCount(record);
+  uint count = countLayers(record);
   for (int i = 0; i < LAYERS; ++i)
   {
     if (uint(i) < count)
