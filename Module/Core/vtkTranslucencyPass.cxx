@@ -1,5 +1,6 @@
 #include "vtkTranslucencyPass.h"
 
+#include "vtkTranslucencyFirstAttachment.h"
 #include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyInternals.h"
 #include "vtkTranslucencyOption.h"
@@ -452,6 +453,7 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
     vtkErrorMacro(<< (window ? "TranslucentPass is null" : "an OpenGL render window is needed"));
     return;
   }
+  const vtkTranslucencyFirstAttachment first(state);
   const bool surfaces = HasTranslucentGeometry(state);
   if (surfaces && !renderer->GetSelector())
   {

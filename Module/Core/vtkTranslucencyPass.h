@@ -21,6 +21,11 @@
  * A subclass says what happens in RenderStages, in terms of vtkTranslucencyFrame; it has a folder of shaders and a row in
  * vtkTranslucencyFactory, and nothing else has to know it.
  *
+ * Within other passes it draws to the first colour attachment of the framebuffer that it finds, and leaves the others and the opaque depth as they are. So
+ * what translucent surfaces cover is, to passes that look at depths, positions or normals (vtkEDLShading, vtkDepthOfFieldPass, vtkSSAOPass), as if they were not
+ * there: outlines, focus and occlusion are those of what is opaque, and darken or blur the translucent surfaces before it along with it. (VTK's own translucent
+ * pass lets vtkSSAOPass take the position of whichever surface was drawn last.)
+ *
  * Where the driver lacks what a technique needs, the frame is drawn by depth peeling or, failing that, by plain blending,
  * with one warning that names what is missing; GetStatistics()->GetFallback() tells which. During hardware selection the
  * geometry is drawn plainly.

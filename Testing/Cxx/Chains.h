@@ -1,0 +1,35 @@
+/**
+ * VTK's passes around translucent props: chains of passes, by name, of which the innermost draws the steps of a frame.
+ */
+#ifndef Chains_h
+#define Chains_h
+
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkRenderPass;
+class vtkRenderStepsPass;
+
+struct Chain
+{
+  std::string Name;
+
+  /// The passes around steps whose translucent pass is this one.
+  std::function<vtkSmartPointer<vtkRenderPass>(vtkRenderPass* translucent)> Make;
+
+  /// Between what two techniques draw alike but for rounding, in units of 1/255: more where a pass looks for edges.
+  double Bound = 2;
+
+  bool Nested = false; ///< whether one pass is around another one
+};
+
+void PrintTo(const Chain& chain, std::ostream* os);
+
+/// Each of VTK's passes, and each around another one; vtkSSAOPass only within others and around the steps: VTK leaves its positions undefined where the
+/// passes in it draw to framebuffers of their own.
+std::vector<Chain> Chains();
+
+#endif

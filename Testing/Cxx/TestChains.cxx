@@ -1,0 +1,383 @@
+// VTK's passes around ours: the same picture in every frame, no message, and what the same chain draws with VTK's own translucent pass.
+#include "Chains.h"
+#include "GLState.h"
+#include "RenderTest.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCubeSource.h>
+#include <vtkLight.h>
+#include <vtkLightsPass.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkShaderProgram.h>
+#include <vtkSphereSource.h>
+#include <vtkTranslucencyFactory.h>
+#include <vtkTranslucencyPass.h>
+#include <vtkTranslucencyVTKVersion.h>
+#include <vtkTranslucentPass.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace
+{
+vtkSmartPointer<vtkActor> NewActor(vtkPolyDataAlgorithm* source, double red, double green, double blue, double opacity)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(red, green, blue);
+  actor->GetProperty()->SetOpacity(opacity);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> NewQuad(double x, double y, double z, double size)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(x, y, z);
+  plane->SetPoint1(x + size, y, z - 0.3);
+  plane->SetPoint2(x, y + size, z);
+  return NewActor(plane, 0.9, 0.4 + 0.2 * x, 0.3, 0.5);
+}
+
+/// An opaque wall with a ball and a wireframe before it, and two translucent quads that hide a part of each, side by side. Others, behind and before
+/// them, can be added, with which the order matters.
+class Room : public View
+{
+public:
+  explicit Room(int samples)
+    : View(60, 50, samples)
+  {
+    vtkNew<vtkPlaneSource> wall;
+    wall->SetOrigin(-1.2, -1, -0.8);
+    wall->SetPoint1(1.2, -1, -0.8);
+    wall->SetPoint2(-1.2, 0.9, -0.8);
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(0.45);
+    ball->SetCenter(-0.3, 0.1, -0.3);
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(0.6);
+    cube->SetYLength(0.6);
+    cube->SetZLength(0.4);
+    cube->SetCenter(0.6, -0.2, -0.4);
+    const auto frame = NewActor(cube, 1, 1, 1, 1);
+    frame->GetProperty()->SetRepresentationToWireframe();
+    for (const auto& actor : { NewActor(wall, 0.6, 0.7, 0.8, 1), NewActor(ball, 0.3, 0.8, 0.4, 1), frame, NewQuad(-0.9, -0.6, 0.4, 0.8),
+           NewQuad(0.1, -0.5, 0.5, 0.7) })
+    {
+      this->Renderer->AddActor(actor);
+    }
+    for (double depth : { 0.2, 0.7, 0.0 })
+    {
+      this->Others.push_back(NewQuad(-0.5 + depth, -0.3, depth, 0.8));
+      this->Renderer->AddActor(this->Others.back());
+    }
+    vtkNew<vtkLight> light; // at which shadows are thrown
+    light->SetPositional(true);
+    light->SetConeAngle(40);
+    light->SetPosition(1, 2, 4);
+    light->SetFocalPoint(0, 0, 0);
+    this->Renderer->AddLight(light);
+    this->Renderer->SetBackground(0.2, 0.3, 0.4);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0, 0, 4);
+    camera->SetFocalPoint(0, 0, 0);
+    camera->SetClippingRange(2, 8);
+  }
+
+  void ShowOthers(bool shown)
+  {
+    for (vtkActor* actor : this->Others)
+    {
+      actor->SetVisibility(shown);
+    }
+  }
+
+private:
+  std::vector<vtkSmartPointer<vtkActor>> Others;
+};
+
+/// VTK's translucent pass, which leaves all colour attachments but the first as they are, and blends where the passes around have turned that off, as
+/// vtkPanoramicProjectionPass does.
+class FirstAttachmentPass : public vtkTranslucentPass
+{
+public:
+  static FirstAttachmentPass* New();
+  vtkTypeMacro(FirstAttachmentPass, vtkTranslucentPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    vtkOpenGLState* gl = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow())->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable blending(gl, GL_BLEND);
+    gl->vtkglEnable(GL_BLEND);
+    this->MaskOthers(GL_FALSE);
+    this->Superclass::Render(state);
+    this->MaskOthers(GL_TRUE);
+  }
+
+private:
+  void MaskOthers(unsigned char mask)
+  {
+    for (GLuint i = 1; i < 3; ++i)
+    {
+      glColorMaski(i, mask, mask, mask, mask);
+    }
+  }
+};
+vtkStandardNewMacro(FirstAttachmentPass);
+
+/// Draws by another pass, which can be exchanged between frames.
+class ExchangeablePass : public vtkRenderPass
+{
+public:
+  static ExchangeablePass* New();
+  vtkTypeMacro(ExchangeablePass, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override { this->Pass->Render(state); }
+
+  vtkSmartPointer<vtkRenderPass> Pass;
+};
+vtkStandardNewMacro(ExchangeablePass);
+
+/// One technique of each way to draw: lists, records of pixels, targets, and the window's colours.
+bool IsOfItsOwnKind(const std::string& technique)
+{
+  const std::set<std::string> kinds{ "exact", "mlab", "peel", "weighted", "sorted", "screendoor" };
+  return kinds.count(technique) > 0;
+}
+
+/// Whether a technique blends a single surface over what is behind it as VTK does, but for rounding.
+bool BlendsOneSurface(const std::string& technique)
+{
+  return technique != "additive" && technique != "screendoor" && technique != "stochastic";
+}
+
+class TestChains
+  : public RenderTest
+  , public testing::WithParamInterface<std::tuple<Chain, int>>
+{
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestChains, FramesAreAlikeAndAsBlending)
+{
+  const auto& [chain, samples] = GetParam();
+  Room room(samples);
+  vtkNew<ExchangeablePass> current;
+  room.SetPass(chain.Make(current));
+  current->Pass = vtkSmartPointer<FirstAttachmentPass>::New();
+  room.ShowOthers(false);
+  room.Render();
+  const Picture blended = room.Render();
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+    SCOPED_TRACE(name);
+    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
+    if (!vtkTranslucencyPass::SafeDownCast(pass) || (chain.Nested && !IsOfItsOwnKind(name)))
+    {
+      continue;
+    }
+    current->Pass = pass;
+    room.ShowOthers(false);
+    const PictureDifference difference = Compare(room.Render(), blended);
+    if (BlendsOneSurface(name))
+    {
+      EXPECT_LE(difference.Largest, chain.Bound) << difference;
+    }
+    room.ShowOthers(true);
+    const Picture first = room.Render();
+    for (int frame = 1; frame < 4; ++frame)
+    {
+      EXPECT_EQ(Compare(room.Render(), first).Largest, 0) << "frame " << frame;
+    }
+    EXPECT_EQ(TakeGLErrors(), std::vector<std::string>());
+    for (const std::string& message : TakeMessages())
+    {
+      ADD_FAILURE() << message;
+    }
+  }
+}
+
+namespace
+{
+/// Where passes are nested, the window's samples have been lost on the way.
+std::vector<std::tuple<Chain, int>> ChainsAndSamples()
+{
+  std::vector<std::tuple<Chain, int>> cases;
+  for (const Chain& chain : Chains())
+  {
+    cases.emplace_back(chain, 0);
+    if (!chain.Nested)
+    {
+      cases.emplace_back(chain, 4);
+    }
+  }
+  return cases;
+}
+}
+
+INSTANTIATE_TEST_SUITE_P(Chains, TestChains, testing::ValuesIn(ChainsAndSamples()),
+  [](const auto& info) { return std::get<0>(info.param).Name + "Samples" + std::to_string(std::get<1>(info.param)); });
+
+namespace
+{
+/// Draws steps into a framebuffer of two colour attachments, and makes props write to both, as vtkSSAOPass does.
+class TwoAttachmentsPass : public vtkOpenGLRenderPass
+{
+public:
+  static TwoAttachmentsPass* New();
+  vtkTypeMacro(TwoAttachmentsPass, vtkOpenGLRenderPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
+    const int* size = window->GetSize();
+    const std::array<float, 4> value{ { 0.25F, 0.5F, 0.75F, 1 } };
+    GLuint framebuffer = 0;
+    std::array<GLuint, 3> buffers{}; // colours, what is to be left, depths
+    glGenFramebuffers(1, &framebuffer);
+    glGenRenderbuffers(3, buffers.data());
+    window->GetState()->PushFramebufferBindings();
+    window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    const std::array<GLenum, 3> attachments{ { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_DEPTH_ATTACHMENT } };
+    const std::array<GLenum, 3> formats{ { GL_RGBA8, GL_RGBA32F, GL_DEPTH_COMPONENT32F } };
+    for (int i = 0; i < 3; ++i)
+    {
+      glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, this->Samples, formats[i], size[0], size[1]);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, buffers[i]);
+    }
+    glDrawBuffers(2, attachments.data());
+
+    this->PreRender(state);
+    vtkOpenGLState* gl = window->GetState();
+    gl->vtkglViewport(0, 0, size[0], size[1]);
+    gl->vtkglScissor(0, 0, size[0], size[1]);
+    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->vtkglDepthMask(GL_TRUE);
+    gl->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearBufferfv(GL_COLOR, 1, value.data());
+    vtkNew<vtkLightsPass>()->Render(state);
+    this->Pass->Render(state);
+    GLint second = 0;
+    glGetIntegerv(GL_DRAW_BUFFER1, &second);
+    this->FoundAgain = second == GL_COLOR_ATTACHMENT1;
+    this->PostRender(state);
+
+    // Samples can't be read, but are resolved by a copy.
+    GLuint copy = 0;
+    GLuint resolved = 0;
+    glGenFramebuffers(1, &copy);
+    glGenRenderbuffers(1, &resolved);
+    gl->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, copy);
+    glBindRenderbuffer(GL_RENDERBUFFER, resolved);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, size[0], size[1]);
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved);
+    this->Changed = this->CountChanges(GL_COLOR_ATTACHMENT1, framebuffer, copy, size, value);
+    this->Drawn = this->CountChanges(GL_COLOR_ATTACHMENT0, framebuffer, copy, size, { { 0, 0, 0, 0 } });
+    gl->PopFramebufferBindings();
+    glDeleteFramebuffers(1, &copy);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteRenderbuffers(1, &resolved);
+    glDeleteRenderbuffers(3, buffers.data());
+  }
+
+  bool PostReplaceShaderValues(std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*) override
+  {
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl", "//VTK::Light::Impl\n  gl_FragData[1] = vec4(1.0);\n", false);
+    return true;
+  }
+
+  vtkSmartPointer<vtkRenderPass> Pass;
+  int Samples = 0;
+  int Changed = 0; // pixels of the second attachment
+  int Drawn = 0;   // pixels of the first
+  bool FoundAgain = false;
+
+private:
+  static int CountChanges(GLenum attachment, GLuint from, GLuint to, const int* size, const std::array<float, 4>& value)
+  {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glReadBuffer(attachment);
+    glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, to);
+    std::vector<std::array<float, 4>> pixels(static_cast<std::size_t>(size[0]) * size[1]);
+    glReadPixels(0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, pixels.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    return static_cast<int>(std::count_if(pixels.begin(), pixels.end(), [&value](const auto& pixel) { return pixel != value; }));
+  }
+};
+vtkStandardNewMacro(TwoAttachmentsPass);
+
+using TestChainsOfFallbacks = RenderTest;
+
+class TestChainsOfAttachments
+  : public RenderTest
+  , public testing::WithParamInterface<int>
+{
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_P(TestChainsOfAttachments, OthersThanTheFirstAreLeft)
+{
+  Room room(0);
+  vtkNew<TwoAttachmentsPass> attachments;
+  attachments->Samples = GetParam();
+  room.SetPass(attachments);
+  attachments->Pass = vtkSmartPointer<vtkTranslucentPass>::New();
+  room.Render();
+  EXPECT_GT(attachments->Changed, 200) << "what VTK draws goes to both";
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+    SCOPED_TRACE(name);
+    attachments->Pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
+    if (vtkTranslucencyPass::SafeDownCast(attachments->Pass))
+    {
+      room.Render();
+      EXPECT_GT(attachments->Drawn, 200);
+      EXPECT_EQ(attachments->Changed, 0);
+      EXPECT_TRUE(attachments->FoundAgain);
+      EXPECT_EQ(TakeGLErrors(), std::vector<std::string>());
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Samples, TestChainsOfAttachments, testing::Values(0, 4), [](const auto& info) { return std::to_string(info.param); });
+
+//------------------------------------------------------------------------------
+// Depth peeling of VTK's own has framebuffers of its own, too.
+TEST_F(TestChainsOfFallbacks, DrawWithinSSAO)
+{
+  for (const Chain& chain : Chains())
+  {
+    if (chain.Name == "SSAO" || chain.Name == "SSAAOverSSAO")
+    {
+      SCOPED_TRACE(chain.Name);
+      Room room(0);
+      room.ShowOthers(false);
+      vtkNew<ExchangeablePass> current;
+      room.SetPass(chain.Make(current));
+      current->Pass = vtkSmartPointer<FirstAttachmentPass>::New();
+      const Picture blended = room.Render();
+      current->Pass = NewTechnique("exact", { { "memory_limit", "0.0001" } });
+      for (int frame = 0; frame < 3; ++frame)
+      {
+        const PictureDifference difference = Compare(room.Render(), blended);
+        EXPECT_LE(difference.Largest, chain.Bound) << difference;
+      }
+      EXPECT_EQ(TakeMessages().size(), 1u) << "that it falls back";
+    }
+  }
+}
