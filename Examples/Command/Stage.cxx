@@ -14,7 +14,6 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 #include "vtkTranslucencyCapabilities.h"
@@ -161,9 +160,7 @@ int Stage::AddPass(const Scene& scene, const TechniqueChoice& technique, vtkRend
   {
     player.Renderer->AddLight(MakeLight(light));
   }
-  vtkNew<vtkRenderStepsPass> steps;
-  steps->SetTranslucentPass(player.Pass);
-  player.Renderer->SetPass(steps);
+  vtkTranslucencyFactory::Enable(player.Renderer, player.Pass.Get());
   this->Window->AddRenderer(player.Renderer);
   if (!this->Camera)
   {

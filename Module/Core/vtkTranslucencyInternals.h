@@ -30,9 +30,9 @@
 
 class vtkDepthPeelingPass;
 class vtkOpenGLFramebufferObject;
-class vtkRenderStepsPass;
 class vtkShaderProgram;
 class vtkTextureObject;
+class vtkTranslucencyRenderStepsPass;
 
 /// What stands for a pass in the mappers' shaders. Mappers refer to it until they draw without it: it must not keep the pass alive, which may
 /// own mappers.
@@ -151,7 +151,7 @@ struct vtkTranslucencyPass::Internals
   double ResolveTime = -1;
 
   // Alone, the pass draws by these steps, of which it is one.
-  vtkSmartPointer<vtkRenderStepsPass> Steps;
+  vtkSmartPointer<vtkTranslucencyRenderStepsPass> Steps;
   vtkNew<vtkVolumetricPass> VolumesAlone;
 
   vtkSmartPointer<vtkDepthPeelingPass> Peeling;

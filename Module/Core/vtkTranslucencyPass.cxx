@@ -422,7 +422,7 @@ void vtkTranslucencyPass::RenderAlone(const vtkRenderState* state)
     kept.Steps->SetTranslucentPass(step);
     kept.Steps->SetVolumetricPass(nullptr);
   }
-  kept.Steps->Render(state);
+  kept.Steps->RenderAlone(state);
   this->NumberOfRenderedProps = kept.Steps->GetNumberOfRenderedProps();
 }
 

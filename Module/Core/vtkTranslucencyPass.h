@@ -3,7 +3,7 @@
  * @brief   draws translucent polygonal geometry right, whatever the order in which it is drawn
  *
  * The base of all techniques. It stands where vtkDepthPeelingPass would stand, as the translucent pass of a
- * vtkRenderStepsPass, or alone as a renderer's pass (then it draws lights, opaque geometry, volumes and overlays too):
+ * vtkRenderStepsPass, or alone as a renderer's pass (then it draws lights, opaque geometry, volumes, overlays and the renderer's effects too):
  *
  * @code
  * vtkNew<vtkAdaptiveTransparencyPass> pass;

@@ -6,12 +6,25 @@
  *   camera pass does not: under it both eyes see the picture from the middle between them.
  * - Selection: vtkHardwareSelector draws the props itself, to give each its number. Under VTK's passes it is not asked to, and selects
  *   nothing.
+ * - Effects: UseHiddenLineRemoval, UseSSAO, UseShadows and UseFXAA of the renderer, where it draws by these steps alone, are carried out by the passes that
+ *   vtkOpenGLRenderer takes for them, in its order. As they are looked at in every frame, they may be set at any time. As without a pass, lines are
+ *   hidden instead of darkened where both are asked for, and shadows leave out both. With shadows vtkOpenGLRenderer does not draw what is
+ *   translucent: here it is drawn, and shadows fall on it.
+ *
+ * Within other passes the effects of the renderer don't hold, as with VTK's own steps.
  */
 #ifndef vtkTranslucencyRenderStepsPass_h
 #define vtkTranslucencyRenderStepsPass_h
 
+#include "vtkNew.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+
+class vtkHiddenLineRemovalPass;
+class vtkSSAOPass;
+class vtkSequencePass;
+class vtkShadowMapPass;
+class vtkTranslucencyFXAAStep;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyRenderStepsPass : public vtkRenderStepsPass
 {
@@ -21,13 +34,26 @@ public:
 
   void Render(const vtkRenderState* state) override;
 
+  /// What Render does where these steps are the renderer's pass.
+  void RenderAlone(const vtkRenderState* state);
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
 protected:
   vtkTranslucencyRenderStepsPass();
-  ~vtkTranslucencyRenderStepsPass() override = default;
+  ~vtkTranslucencyRenderStepsPass() override;
 
 private:
   vtkTranslucencyRenderStepsPass(const vtkTranslucencyRenderStepsPass&) = delete;
   void operator=(const vtkTranslucencyRenderStepsPass&) = delete;
+
+  vtkRenderPass* UseOpaquePass(const vtkRenderState* state);
+
+  vtkNew<vtkHiddenLineRemovalPass> HiddenLines;
+  vtkNew<vtkSSAOPass> Occlusion;
+  vtkNew<vtkShadowMapPass> Shadows;
+  vtkNew<vtkSequencePass> Shadowed; // what Shadows draws
+  vtkNew<vtkTranslucencyFXAAStep> FXAA;
 };
 
 #endif

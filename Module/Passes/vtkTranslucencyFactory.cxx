@@ -23,7 +23,7 @@
 #include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkTranslucencyRenderStepsPass.h"
+#include "vtkTranslucencyChain.h"
 #include "vtkTranslucentPass.h"
 
 vtkStandardNewMacro(vtkTranslucencyFactory);
@@ -141,20 +141,35 @@ vtkRenderPass* vtkTranslucencyFactory::Enable(vtkRenderer* renderer, const std::
     vtkGenericWarningMacro("the renderer is null, expected a vtkRenderer");
     return nullptr;
   }
-  const auto pass = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
-  if (!pass)
+  const auto technique = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
+  if (technique)
   {
-    return nullptr;
+    vtkTranslucencyChain::Enable(renderer, technique);
   }
-  vtkNew<vtkTranslucencyRenderStepsPass> steps;
-  steps->SetTranslucentPass(pass);
-  if (auto* own = vtkTranslucencyPass::SafeDownCast(pass))
+  return technique;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFactory::Enable(vtkRenderer* renderer, vtkRenderPass* technique)
+{
+  if (!renderer || !technique)
   {
-    own->SetVolumetricPass(steps->GetVolumetricPass());
-    steps->SetVolumetricPass(nullptr);
+    vtkGenericWarningMacro("the " << (renderer ? "technique" : "renderer") << " is null, expected a "
+                                  << (renderer ? "vtkRenderPass" : "vtkRenderer"));
+    return;
   }
-  renderer->SetPass(steps);
-  return pass;
+  vtkTranslucencyChain::Enable(renderer, technique);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFactory::Disable(vtkRenderer* renderer)
+{
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("the renderer is null, expected a vtkRenderer");
+    return;
+  }
+  vtkTranslucencyChain::Disable(renderer);
 }
 
 //------------------------------------------------------------------------------

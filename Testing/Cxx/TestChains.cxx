@@ -2,20 +2,13 @@
 #include "Chains.h"
 #include "GLState.h"
 #include "RenderTest.h"
+#include "Room.h"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCubeSource.h>
-#include <vtkLight.h>
 #include <vtkLightsPass.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkPlaneSource.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkShaderProgram.h>
-#include <vtkSphereSource.h>
 #include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyPass.h>
 #include <vtkTranslucencyVTKVersion.h>
@@ -27,83 +20,6 @@
 
 namespace
 {
-vtkSmartPointer<vtkActor> NewActor(vtkPolyDataAlgorithm* source, double red, double green, double blue, double opacity)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(red, green, blue);
-  actor->GetProperty()->SetOpacity(opacity);
-  return actor;
-}
-
-vtkSmartPointer<vtkActor> NewQuad(double x, double y, double z, double size)
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(x, y, z);
-  plane->SetPoint1(x + size, y, z - 0.3);
-  plane->SetPoint2(x, y + size, z);
-  return NewActor(plane, 0.9, 0.4 + 0.2 * x, 0.3, 0.5);
-}
-
-/// An opaque wall with a ball and a wireframe before it, and two translucent quads that hide a part of each, side by side. Others, behind and before
-/// them, can be added, with which the order matters.
-class Room : public View
-{
-public:
-  explicit Room(int samples)
-    : View(60, 50, samples)
-  {
-    vtkNew<vtkPlaneSource> wall;
-    wall->SetOrigin(-1.2, -1, -0.8);
-    wall->SetPoint1(1.2, -1, -0.8);
-    wall->SetPoint2(-1.2, 0.9, -0.8);
-    vtkNew<vtkSphereSource> ball;
-    ball->SetRadius(0.45);
-    ball->SetCenter(-0.3, 0.1, -0.3);
-    vtkNew<vtkCubeSource> cube;
-    cube->SetXLength(0.6);
-    cube->SetYLength(0.6);
-    cube->SetZLength(0.4);
-    cube->SetCenter(0.6, -0.2, -0.4);
-    const auto frame = NewActor(cube, 1, 1, 1, 1);
-    frame->GetProperty()->SetRepresentationToWireframe();
-    for (const auto& actor : { NewActor(wall, 0.6, 0.7, 0.8, 1), NewActor(ball, 0.3, 0.8, 0.4, 1), frame, NewQuad(-0.9, -0.6, 0.4, 0.8),
-           NewQuad(0.1, -0.5, 0.5, 0.7) })
-    {
-      this->Renderer->AddActor(actor);
-    }
-    for (double depth : { 0.2, 0.7, 0.0 })
-    {
-      this->Others.push_back(NewQuad(-0.5 + depth, -0.3, depth, 0.8));
-      this->Renderer->AddActor(this->Others.back());
-    }
-    vtkNew<vtkLight> light; // at which shadows are thrown
-    light->SetPositional(true);
-    light->SetConeAngle(40);
-    light->SetPosition(1, 2, 4);
-    light->SetFocalPoint(0, 0, 0);
-    this->Renderer->AddLight(light);
-    this->Renderer->SetBackground(0.2, 0.3, 0.4);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0, 0, 4);
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetClippingRange(2, 8);
-  }
-
-  void ShowOthers(bool shown)
-  {
-    for (vtkActor* actor : this->Others)
-    {
-      actor->SetVisibility(shown);
-    }
-  }
-
-private:
-  std::vector<vtkSmartPointer<vtkActor>> Others;
-};
-
 /// VTK's translucent pass, which leaves all colour attachments but the first as they are, and blends where the passes around have turned that off, as
 /// vtkPanoramicProjectionPass does.
 class FirstAttachmentPass : public vtkTranslucentPass
@@ -172,7 +88,7 @@ TEST_P(TestChains, FramesAreAlikeAndAsBlending)
   const auto& [chain, samples] = GetParam();
   Room room(samples);
   vtkNew<ExchangeablePass> current;
-  room.SetPass(chain.Make(current));
+  room.Renderer->SetPass(chain.Make(current));
   current->Pass = vtkSmartPointer<FirstAttachmentPass>::New();
   room.ShowOthers(false);
   room.Render();
@@ -333,7 +249,7 @@ TEST_P(TestChainsOfAttachments, OthersThanTheFirstAreLeft)
   Room room(0);
   vtkNew<TwoAttachmentsPass> attachments;
   attachments->Samples = GetParam();
-  room.SetPass(attachments);
+  room.Renderer->SetPass(attachments);
   attachments->Pass = vtkSmartPointer<vtkTranslucentPass>::New();
   room.Render();
   EXPECT_GT(attachments->Changed, 200) << "what VTK draws goes to both";
@@ -368,7 +284,7 @@ TEST_F(TestChainsOfFallbacks, DrawWithinSSAO)
       Room room(0);
       room.ShowOthers(false);
       vtkNew<ExchangeablePass> current;
-      room.SetPass(chain.Make(current));
+      room.Renderer->SetPass(chain.Make(current));
       current->Pass = vtkSmartPointer<FirstAttachmentPass>::New();
       const Picture blended = room.Render();
       current->Pass = NewTechnique("exact", { { "memory_limit", "0.0001" } });

@@ -1,6 +1,7 @@
 """A program that knows nothing of this project: draws a scene by depth peeling into a PNG file.
 
-    peels.py FILE HOW [SAMPLES]    HOW: renderer, dual, single, volumes, or blending, which does not peel
+    peels.py FILE HOW [SAMPLES [EFFECT]]    HOW: renderer, dual, single, volumes, or blending, which does not peel
+                                            EFFECT: a flag of vtkRenderer, such as UseSSAO, or the class of a pass around a pass of its own
 """
 
 import sys
@@ -8,7 +9,7 @@ import sys
 from vtkmodules import all as vtk
 
 
-def ball(renderer, center, rgb):
+def ball(renderer, center, rgb, opacity=0.5):
     source = vtk.vtkSphereSource()
     source.SetCenter(*center)
     source.SetPhiResolution(40)
@@ -18,8 +19,9 @@ def ball(renderer, center, rgb):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(*rgb)
-    actor.GetProperty().SetOpacity(0.5)
+    actor.GetProperty().SetOpacity(opacity)
     renderer.AddActor(actor)
+    return actor
 
 
 def cloud(renderer):
@@ -51,6 +53,10 @@ def main():
     ball(renderer, (-0.1, 0.2, 0.5), (0.2, 0.3, 1))
     if how == "volumes":
         cloud(renderer)
+    effect = sys.argv[4] if len(sys.argv) > 4 else None
+    if effect:
+        ball(renderer, (0.5, -0.3, 0.1), (1, 1, 1), 1)
+        ball(renderer, (0.7, 0, 0.2), (1, 1, 0.5), 1).GetProperty().SetRepresentationToWireframe()
     if how in ("dual", "single"):
         peeling = vtk.vtkDualDepthPeelingPass() if how == "dual" else vtk.vtkDepthPeelingPass()
         peeling.SetTranslucentPass(vtk.vtkTranslucentPass())
@@ -59,11 +65,17 @@ def main():
         steps = vtk.vtkRenderStepsPass()
         steps.SetTranslucentPass(peeling)
         renderer.SetPass(steps)
+        if effect:
+            outer = getattr(vtk, effect)()
+            outer.SetDelegatePass(steps)
+            renderer.SetPass(outer)
     elif how != "blending":
         renderer.UseDepthPeelingOn()
         renderer.SetMaximumNumberOfPeels(100)
         renderer.SetOcclusionRatio(0)
         renderer.SetUseDepthPeelingForVolumes(how == "volumes")
+        if effect:
+            getattr(renderer, effect + "On")()
     window.Render()
     reader = vtk.vtkWindowToImageFilter()
     reader.SetInput(window)

@@ -65,6 +65,35 @@ def a_single_pass_of_its_own(runner):
     draws_as_peeling(runner, ["single"])
 
 
+def effects_of_the_renderer(runner):
+    """They are VTK's there: the technique stands where its peeling stands."""
+    for effect, bound in (("UseFXAA", 20), ("UseSSAO", 3), ("UseHiddenLineRemoval", 3)):
+        how = ["renderer", "0", effect]
+        stock, said = runner.draw(how)
+        assert not said, said
+        drawn, said = runner.run(how, "--technique", "exact")
+        assert not said, f"{effect}: {said}"
+        assert 0 < largest(stock, drawn) <= bound, f"{effect}: {largest(stock, drawn)}"
+        without, _ = runner.run(["renderer", "0", "UseDepthPeeling"], "--technique", "exact")
+        assert largest(without, drawn) > 20, f"{effect} is not seen"
+
+
+def passes_around_its_own(runner):
+    for effect, bound in (("vtkSSAAPass", 3), ("vtkEDLShading", 3), ("vtkToneMappingPass", 6)):
+        how = ["dual", "0", effect]
+        stock, said = runner.draw(how)
+        assert not said, said
+        drawn, said = runner.run(how, "--technique", "exact")
+        assert not said, f"{effect}: {said}"
+        assert 0 < largest(stock, drawn) <= bound, f"{effect}: {largest(stock, drawn)}"
+    # VTK's peeling warns there, and draws what its framebuffers happen to hold.
+    for samples in ("0", "4"):
+        drawn, said = runner.run(["dual", samples, "vtkSSAOPass"], "--technique", "exact")
+        again, said_again = runner.run(["dual", samples, "vtkSSAOPass"], "--technique", "peel")
+        assert not said and not said_again, said + said_again
+        assert largest(drawn, again) <= 3, largest(drawn, again)
+
+
 def volumes(runner):
     draws_as_peeling(runner, ["volumes"])
 
@@ -134,7 +163,8 @@ def programs_without_vtk(runner):
 
 
 CASES = {case.__name__: case for case in (
-    use_depth_peeling, a_dual_pass_of_its_own, a_single_pass_of_its_own, volumes, every_technique_takes_volumes, multi_sampled_windows,
+    use_depth_peeling, a_dual_pass_of_its_own, a_single_pass_of_its_own, effects_of_the_renderer,
+    passes_around_its_own, volumes, every_technique_takes_volumes, multi_sampled_windows,
     options_reach_the_pass, another_version, never_asked, falls_back_to_peeling, bad_command_lines, programs_without_vtk)}
 
 

@@ -1,15 +1,16 @@
 """The package vtktranslucency: enable, techniques, options, and what they say of bad input."""
 
 import contextlib
+import hashlib
 import os
 import sys
 import tempfile
 import unittest
 
-import vtkmodules.vtkRenderingOpenGL2  # the classes that draw
+import vtkmodules.vtkRenderingOpenGL2 as rendering  # the classes that draw
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import vtktranslucency
 
@@ -87,6 +88,62 @@ class HasRenderer:
         self.renderer = renderer
 
 
+class Toolkit:
+    """Such as PyVista, which builds a chain of its own around vtkRenderStepsPass and sets it anew with each effect, or null without any."""
+
+    def __init__(self, window, renderer):
+        self.window = window
+        self.renderer = renderer
+        self.steps = rendering.vtkRenderStepsPass()
+        self.collection = rendering.vtkRenderPassCollection()
+        self.collection.AddItem(self.steps)
+        sequence = rendering.vtkSequencePass()
+        sequence.SetPasses(self.collection)
+        self.camera = rendering.vtkCameraPass()
+        self.camera.SetDelegatePass(sequence)
+        self.shadows = rendering.vtkShadowMapPass()
+        self.effects = {name: getattr(rendering, name)() for name in ("vtkEDLShading", "vtkSSAOPass", "vtkSSAAPass")}
+        self.enabled = set()
+
+    def enable(self, name):
+        self.enabled.add(name)
+        self.update()
+
+    def disable(self, name):
+        self.enabled.discard(name)
+        self.update()
+
+    def update(self):
+        for item in (self.shadows.GetShadowMapBakerPass(), self.shadows):
+            self.collection.RemoveItem(item)
+            if "shadows" in self.enabled:
+                self.collection.AddItem(item)
+        outer = self.camera
+        for name, effect in self.effects.items():
+            if name in self.enabled:
+                effect.SetDelegatePass(outer)
+                outer = effect
+        self.renderer.SetPass(outer if self.enabled else None)
+
+    def picture(self):
+        return picture(self.window)
+
+    def release(self):
+        for each in (*self.effects.values(), self.shadows, self.shadows.GetShadowMapBakerPass()):
+            each.ReleaseGraphicsResources(self.window)
+
+
+def picture(window):
+    """What stands for the window's picture: the same where that is."""
+    window.Render()
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    return hashlib.sha256(memoryview(grabber.GetOutput().GetPointData().GetScalars())).hexdigest()
+
+
 class TestEnable(unittest.TestCase):
     def test_default_is_adaptive(self):
         renderer = vtkRenderer()
@@ -122,6 +179,81 @@ class TestEnable(unittest.TestCase):
         vtktranslucency.enable(renderer, "exact")
         technique_pass = vtktranslucency.enable(renderer, "adaptive")
         self.assertIs(renderer.GetPass().GetTranslucentPass(), technique_pass)
+
+
+class TestEffects(unittest.TestCase):
+    """What a toolkit enables before or after the technique is drawn together with it, and goes without it."""
+
+    @staticmethod
+    def scene():
+        """The translucent spheres, with something opaque before and behind them, and a light that throws shadows."""
+        window, renderer = translucent_scene()
+        for radius, center in ((3, (0, 0, -5)), (0.6, (1, 1, 2))):
+            sphere = vtkSphereSource()
+            sphere.SetRadius(radius)
+            sphere.SetCenter(center)
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputConnection(sphere.GetOutputPort())
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            renderer.AddActor(actor)
+        light = vtkLight()
+        light.PositionalOn()
+        light.SetPosition(3, 3, 12)
+        light.SetFocalPoint(0, 0, -3)
+        light.SetConeAngle(40)
+        renderer.AddLight(light)
+        return window, renderer
+
+    def test_in_any_order(self):
+        for effect in ("vtkEDLShading", "vtkSSAOPass", "vtkSSAAPass", "shadows"):
+            for samples in (0, 4):
+                pictures = []
+                for first in (True, False):
+                    with self.subTest(effect=effect, samples=samples, first=first):
+                        window, renderer = self.scene()
+                        window.SetMultiSamples(samples)
+                        toolkit = Toolkit(window, renderer)
+                        stock = toolkit.picture()
+                        vtktranslucency.enable(renderer, "exact")
+                        alone = toolkit.picture()
+                        if first:
+                            vtktranslucency.disable(renderer)
+                            toolkit.enable(effect)
+                            toolkit.picture()
+                            vtktranslucency.enable(renderer, "exact")
+                        else:
+                            toolkit.enable(effect)
+                        pictures += [toolkit.picture() for _ in range(2)]
+                        self.assertNotEqual(pictures[-1], alone)
+                        toolkit.disable(effect)
+                        self.assertEqual(toolkit.picture(), alone)
+                        vtktranslucency.disable(renderer)
+                        self.assertEqual(toolkit.picture(), stock)
+                        self.assertIsNone(renderer.GetPass())
+                        self.assertIsInstance(toolkit.steps.GetTranslucentPass(), rendering.vtkTranslucentPass)
+                        toolkit.release()
+                self.assertEqual(set(pictures), {pictures[0]})
+
+    def test_of_the_renderer(self):
+        window, renderer = self.scene()
+        vtktranslucency.enable(renderer, "exact")
+        without = picture(window)
+        renderer.UseFXAAOn()
+        smoothed = picture(window)
+        self.assertNotEqual(smoothed, without)
+        vtktranslucency.disable(renderer)
+        vtktranslucency.enable(renderer, "exact")
+        self.assertEqual(picture(window), smoothed)
+        renderer.UseFXAAOff()
+        self.assertEqual(picture(window), without)
+
+    def test_disabling_what_was_not_enabled_changes_nothing(self):
+        renderer = vtkRenderer()
+        chain = rendering.vtkRenderStepsPass()
+        renderer.SetPass(chain)
+        vtktranslucency.disable(HasRenderer(renderer))
+        self.assertIs(renderer.GetPass(), chain)
 
 
 class TestBadInput(unittest.TestCase):
@@ -161,12 +293,15 @@ class TestBadInput(unittest.TestCase):
 
     def test_good_options_before_a_bad_one_change_nothing(self):
         renderer = vtkRenderer()
-        vtktranslucency.enable(renderer, "exact")
+        technique_pass = vtktranslucency.enable(renderer, "exact")
         self.check(renderer, "adaptive", {"nodes": 8, "removal": "none"}, "^removal is ")
+        self.assertIs(renderer.GetPass().GetTranslucentPass(), technique_pass)
 
     def test_renderer(self):
         for candidate in (None, 3, vtkRenderWindow(), HasRenderer(None)):
             self.check(candidate, "exact", {}, "^renderer is of type .*, expected a vtkRenderer or ")
+            with self.assertRaisesRegex(ValueError, "^renderer is of type .*, expected a vtkRenderer or "):
+                vtktranslucency.disable(candidate)
 
     def test_while_vtk_is_silent(self):
         vtkObject.GlobalWarningDisplayOff()

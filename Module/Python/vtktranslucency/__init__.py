@@ -5,6 +5,7 @@
     vtktranslucency.enable(renderer)                        # adaptive transparency
     vtktranslucency.enable(renderer, "adaptive", nodes=32)  # with more nodes a pixel
     vtktranslucency.enable(renderer, "exact")               # every fragment, sorted
+    vtktranslucency.disable(renderer)                       # as it was
 
 techniques() tells what there is, options(technique) what each can be told. The classes behind the techniques are here, too,
 as VTK's are in vtkmodules: vtktranslucency.vtkAdaptiveTransparencyPass and so on.
@@ -26,17 +27,21 @@ def enable(renderer, technique="adaptive", **options):
 
     Returns the technique's pass; this module's own have GetStatistics(), which tells what the last frame cost. If anything is
     wrong, raises ValueError, which names it and what was expected, and leaves the renderer as it was.
+
+    The renderer's effects (FXAA, SSAO, shadows, hidden lines) and the passes that it has, or is given later, stay; so do PyVista's
+    enable_anti_aliasing, enable_eye_dome_lighting, enable_ssao, enable_shadows and the like, in any order. A second call changes the technique only.
     """
     renderer = _find_renderer(renderer)
     _check_technique(technique)
-    previous = renderer.GetPass()
-    technique_pass = vtkTranslucencyFactory.Enable(renderer, technique)
-    try:
-        _set_options(technique_pass, technique, options)
-    except ValueError:
-        renderer.SetPass(previous)
-        raise
+    technique_pass = vtkTranslucencyFactory.CreateTechnique(technique)
+    _set_options(technique_pass, technique, options)
+    vtkTranslucencyFactory.Enable(renderer, technique_pass)
     return technique_pass
+
+
+def disable(renderer):
+    """Give back what enable() took: the renderer and its passes are as they would be without. Does nothing where there is no technique."""
+    vtkTranslucencyFactory.Disable(_find_renderer(renderer))
 
 
 def techniques():
