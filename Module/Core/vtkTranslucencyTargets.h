@@ -67,8 +67,6 @@ public:
   unsigned int GetTexture(int index) const { return this->Textures[index]; }
   int GetCount() const { return static_cast<int>(this->Textures.size()); }
 
-  int GetCount() const { return static_cast<int>(this->Textures.size()); }
-
   /// Bytes as allocated.
   vtkTypeInt64 GetBytes() const;
 
