@@ -955,7 +955,8 @@ bool vtkTranslucencyFrame::Retrieve()
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_MULTISAMPLE);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  for (bool any = true; any;)
+  bool any = true;
+  for (vtkTypeInt64 left = this->Storage->GetFragments(); any && left >= 0; --left) // a pass takes one away at least
   {
     any = vtkTranslucencyAnySamplesPass([this] { this->DrawVertices(GL_TRIANGLES, 3); });
     FinishStores();

@@ -20,6 +20,7 @@ using Buffer = vtkTranslucencyFrame::Buffer;
 
 const char* const Methods[] = { "PEEL_FRONT_TO_BACK", "PEEL_DUAL", "PEEL_BUCKET_SORT" };
 constexpr int MostLayers = 65536;
+const char* const TooMany = "more than 65536 layers, expected no more: depths of the same fragments may differ from drawing to drawing";
 
 // Shaders/Peel/Methods.glsl
 constexpr std::array<float, 4> NoBounds{ { -1e30f, -1e30f, 0, 0 } };
@@ -253,7 +254,8 @@ bool vtkDepthPeelPass::Peel(vtkTranslucencyFrame& frame, bool& left)
   }
 
   // The first drawing finds bounds only. The others take a layer off, or two.
-  const int most = this->Layers == 0 ? VTK_INT_MAX : 1 + (dual ? (this->Layers + 1) / 2 : this->Layers);
+  const int layers = this->Layers == 0 ? MostLayers : this->Layers;
+  const int most = 1 + (dual ? (layers + 1) / 2 : layers);
   left = frame.Clear(merge);
   merge.Cleared = 0;
   bool good = left;
@@ -266,7 +268,7 @@ bool vtkDepthPeelPass::Peel(vtkTranslucencyFrame& frame, bool& left)
         (drawing == 0 || !this->KeepLayers || dual || this->KeepLayer(frame));
     }
   }
-  return good;
+  return good && (this->Layers > 0 || !left || frame.Fail(TooMany));
 }
 
 //------------------------------------------------------------------------------
@@ -306,11 +308,13 @@ bool vtkDepthPeelPass::PeelBuckets(vtkTranslucencyFrame& frame)
   merge["PEEL_LAYERS"] = std::to_string(this->Layers);
 
   bool left = true;
+  int drawings = 0;
   bool good =
     frame.UsePixels(this->Buckets, WordsOfRecord(frame.GetChannels()), this->MemoryLimit) && frame.DrawScreen("Peel/StartBuckets.glsl", buckets, {});
   while (left && good)
   {
-    good = frame.Draw(gathering, {}) && frame.DrawScreen("Peel/MergeBuckets.glsl", merge, {}, &left);
+    good = (drawings++ < MostLayers || frame.Fail(TooMany)) && frame.Draw(gathering, {}) &&
+      frame.DrawScreen("Peel/MergeBuckets.glsl", merge, {}, &left);
   }
   return good && frame.Composite("Peel/ResolveBuckets.glsl", buckets, {});
 }

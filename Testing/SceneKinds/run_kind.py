@@ -4,6 +4,9 @@
     run_kind.py --table FOLDER FILE  FILE becomes the table of all kinds in FOLDER; fails if one is missing
     run_kind.py --check FOLDER FILE  fails if FILE, the table in the documentation, has not the rows that it should have
 
+Dual depth peeling draws one layer only where opaque surfaces lie behind all translucent ones (vtkStockPeelingPass.h): the ball of every scene has nothing opaque
+behind a part of it, which keeps the truth from that. Single peeling has other faults: it draws half of the fragments of point_gaussians, and no volumes among surfaces.
+
 Peeling draws nothing in multi-sampled windows. The truth with four samples is the mean of four peeled pictures, each with the camera moved
 so that one sample of each pixel lies where its centre was. Only edges are the same then: what is shaded once a pixel is shaded at
 another place, and points and lines are as wide as before. That is why the bound is wider.
