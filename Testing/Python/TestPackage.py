@@ -9,8 +9,12 @@ import unittest
 
 import vtkmodules.vtkRenderingOpenGL2 as rendering  # the classes that draw
 from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+import vtkmodules.vtkRenderingVolumeOpenGL2  # the mapper that draws
 
 import vtktranslucency
 
@@ -247,6 +251,38 @@ class TestEffects(unittest.TestCase):
         self.assertEqual(picture(window), smoothed)
         renderer.UseFXAAOff()
         self.assertEqual(picture(window), without)
+
+    def test_volumes_of_a_chain_are_drawn_among_the_surfaces(self):
+        window, renderer = translucent_scene()
+        source = vtkRTAnalyticSource()
+        source.SetWholeExtent(-8, 8, -8, 8, -8, 8)
+        mapper = vtkGPUVolumeRayCastMapper()
+        mapper.SetInputConnection(source.GetOutputPort())
+        opacity = vtkPiecewiseFunction()
+        opacity.AddPoint(100, 0)
+        opacity.AddPoint(280, 0.3)
+        volume = vtkVolume()
+        volume.SetMapper(mapper)
+        volume.SetScale(0.2)
+        volume.GetProperty().SetScalarOpacity(opacity)
+        renderer.AddVolume(volume)
+        vtktranslucency.enable(renderer, "exact")
+        expected = picture(window)
+        vtktranslucency.disable(renderer)
+        sequence = rendering.vtkSequencePass()
+        sequence.SetPasses(rendering.vtkRenderPassCollection())
+        for name in ("vtkLightsPass", "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass"):
+            sequence.GetPasses().AddItem(getattr(rendering, name)())
+        camera = rendering.vtkCameraPass()
+        camera.SetDelegatePass(sequence)
+        for chain in (rendering.vtkRenderStepsPass(), camera):
+            renderer.SetPass(chain)
+            stock = picture(window)
+            self.assertNotEqual(stock, expected)
+            vtktranslucency.enable(renderer, "exact")
+            self.assertEqual(picture(window), expected)
+            vtktranslucency.disable(renderer)
+            self.assertEqual(picture(window), stock)
 
     def test_disabling_what_was_not_enabled_changes_nothing(self):
         renderer = vtkRenderer()
