@@ -116,7 +116,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   }
 
   result.Software = result.Renderer.find("llvmpipe") != std::string::npos || StartsWith(result.Renderer, "softpipe");
-  result.KeepsDrawOrder = IsRasterizer(result.Renderer) && !AnyDrawOrder();
+  const bool any = AnyDrawOrder(); // asked in any case: what it is set to may be an error
+  result.KeepsDrawOrder = IsRasterizer(result.Renderer) && !any;
 
   GLint kib[4] = { 0, 0, 0, 0 };
   if (extensions.count("GL_NVX_gpu_memory_info"))
