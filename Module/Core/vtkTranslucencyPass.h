@@ -26,7 +26,11 @@
  * there: outlines, focus and occlusion are those of what is opaque, and darken or blur the translucent surfaces before it along with it. (VTK's own translucent
  * pass lets vtkSSAOPass take the position of whichever surface was drawn last.)
  *
- * Where the driver lacks what a technique needs, the frame is drawn by depth peeling or, failing that, by plain blending,
+ * Some props draw by shaders that the call of stage 2 can't get into: those of actors of their own, to which they don't hand their property keys on, or a
+ * whole shader of the user's. Each of them is drawn by itself, once for each of its layers, and its fragments are given to the technique from there, with one
+ * warning that names the prop (vtkTranslucencyUnreached, vtkTranslucencyLayers): all techniques draw them where they are, with up to 255 layers a pixel.
+ *
+ * Where the driver lacks what a technique needs, the frame is drawn by depth peeling (vtkDepthPeelingPass) or, failing that, by plain blending,
  * with one warning that names what is missing; GetStatistics()->GetFallback() tells which. During hardware selection the
  * geometry is drawn plainly.
  */
