@@ -1,9 +1,5 @@
 """Draws every class of VTK's props, translucent, by the techniques, and compares it with plain blending in thin slabs.
 
-    run_props.py --check FILE [CLASS...]  fails if a class is not drawn as it should be, if VTK has one that is not listed, or if FILE, the table in
-                                          the documentation, has not the rows that it should have
-    run_props.py --table FILE             FILE becomes that table
-
 The truth needs no text of a pass in any shader: the camera's range of depths is cut into slabs, which are drawn from the farthest to the nearest, each
 over the last, by VTK's own translucent pass. In a slab that is thin enough no order matters. Where surfaces turn away from the camera, front and
 back faces share a slab, and are in drawing order; and a surface cut in two may leave a gap of a pixel or cover one twice. That is why not all pixels that a
@@ -18,7 +14,7 @@ from vtkmodules import all as vtk
 
 import vtktranslucency
 from kinds import Stage, look, surface
-from props import NOT_DRAWN, RECIPES, get_unlisted, make
+from props import NOT_DRAWN, RECIPES, get_unlisted, make, prop_classes
 from run_kind import read, values, write
 
 SIZE = (120, 100)
@@ -26,7 +22,7 @@ SLABS = 256
 COLUMNS = {0: ("exact", "peel", "adaptive"), 4: ("exact",)}  # techniques by samples
 BOUND = {0: 3, 4: 8}  # of 255
 LEAST_SEEN = 0.005  # of the pixels have to be changed by the prop
-LEAST_RIGHT = 0.9  # of the pixels that it changes have to be within the bound
+LEAST_RIGHT = {0: 0.8, 4: 0.7}  # of the pixels that it changes have to be within the bound
 
 
 class Scene:
@@ -95,7 +91,8 @@ class Messages:
 
     def __exit__(self, *_):
         vtk.vtkOutputWindow.SetInstance(self.before)
-        self.texts = [text for text in self.window.GetOutput().split("\n\n") if text.strip()]
+        texts = (" ".join(text.split()) for text in self.window.GetOutput().split("\n\n"))
+        self.texts = [text for text in texts if text and "was deprecated for VTK" not in text]  # VTK's level-of-detail actors call what is
 
 
 class Drawn:
@@ -125,26 +122,76 @@ class Drawn:
             if "Warning:" in text and self.name in text and "drawn by itself" in text and len(texts) == 1:
                 self.alone = True
             else:
-                self.wrong.append(f"{technique} says, where at most one warning that names the class is expected: {' '.join(text.split())}")
+                self.wrong.append(f"{technique} says, where at most one warning that names the class is expected: {text}")
 
     def compare(self, technique, samples, drawn, truth, seen, folder):
         apart = distances(drawn, truth)
         outside = sum(distance > BOUND[samples] for distance in apart)
         share = outside / max(1, sum(seen))
         self.cells.append("all" if outside == 0 else f"{1 - share:.1%}")
-        if share > 1 - LEAST_RIGHT:
+        allowed = 1 - LEAST_RIGHT[samples]
+        if share > allowed:
             self.wrong.append(f"{technique} with {samples} samples: {outside} pixels are more than {BOUND[samples]}/255 off, by {max(apart)} at most; the prop "
-                              f"changes {sum(seen)}, and {1 - LEAST_RIGHT:.0%} of those is expected at most")
+                              f"changes {sum(seen)}, and {allowed:.0%} of those are expected at most")
             folder.mkdir(parents=True, exist_ok=True)
             write(drawn, folder / f"{self.name}-{technique}-{samples}.png")
             write(truth, folder / f"{self.name}-truth-{samples}.png")
 
 
-if __name__ == "__main__":
-    import time
-    print(get_unlisted())
+HEAD = f"""# Props
+
+Every class of VTK's props, as far as it draws translucent geometry in a scene, drawn by the techniques among two translucent planes that reach through it and
+an opaque box: how its shaders are reached, by the pass's text (its keys) or by drawing it by itself, and the share of the pixels that it changes that are
+within {BOUND[0]}/255 of plain blending in {SLABS} slabs of depth, from the farthest to the nearest ({BOUND[4]}/255 with four samples a pixel). Where surfaces turn away from
+the camera, more than one layer lies in a slab, and there the slabs are wrong. Made by the test: `Testing/Props`.
+"""
+REASONS = "Those that are not drawn, and why:"
+
+
+def table(rows):
+    columns = [f"{technique}, {samples}" for samples in COLUMNS for technique in COLUMNS[samples]]
+    lines = ["| class | reached | " + " | ".join(columns) + " |", "| --- | --- |" + " --- |" * len(columns)]
+    lines += [f"| {row.name} | {'by itself' if row.alone else 'by its keys'} | " + " | ".join(row.cells) + " |" for row in rows]
+    lines += ["", REASONS, "", "| class | why it is not drawn |", "| --- | --- |"]
+    return lines + [f"| {name} | {why} |" for name, why in sorted(NOT_DRAWN.items())]
+
+
+def stable(lines):
+    """The figures change a little from driver to driver; the classes, and how they are reached, don't."""
+    return [tuple(cell.strip() for cell in line.split("|")[1:3]) for line in lines if line.startswith("|")]
+
+
+def check(rows, file):
+    expected = stable(table(rows))
+    written = stable(pathlib.Path(file).read_text().splitlines())
+    return [f"{file}: the row of '{row[0]}' is not as the test has it" for row in dict.fromkeys(expected + written)
+            if (row in expected) != (row in written)]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    action = parser.add_mutually_exclusive_group(required=True)
+    action.add_argument("--check", metavar="FILE", help="fail if this table is not as the test has it")
+    action.add_argument("--table", metavar="FILE", help="write the table")
+    parser.add_argument("--pictures", metavar="FOLDER", type=pathlib.Path, default=pathlib.Path("."), help="where those go that are wrong")
+    parser.add_argument("names", metavar="CLASS", nargs="*", help="draw these only, and check and write no table")
+    arguments = parser.parse_args()
+    wrong = [] if arguments.names else get_unlisted()
     scenes = {samples: Scene(samples) for samples in BOUND}
-    for name in sys.argv[1:] or sorted(RECIPES):
-        t = time.process_time()
-        d = Drawn(name, scenes, pathlib.Path("/tmp/props-out"))
-        print(name, "alone" if d.alone else "keys", *d.cells, round(time.process_time() - t, 2), *["\n    " + w for w in d.wrong], flush=True)
+    rows = []
+    present = prop_classes()
+    for name in arguments.names or sorted(name for name in RECIPES if name in present):
+        row = Drawn(name, scenes, arguments.pictures)
+        print(name, "by itself" if row.alone else "by its keys", *row.cells, flush=True)
+        wrong += [f"{name}: {text}" for text in row.wrong]
+        rows.append(row)
+    if arguments.table and not arguments.names:
+        pathlib.Path(arguments.table).write_text(HEAD + "\n" + "\n".join(table(rows)) + "\n")
+    elif not arguments.names:
+        wrong += check(rows, arguments.check)
+    print(*wrong, sep="\n", file=sys.stderr)
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
