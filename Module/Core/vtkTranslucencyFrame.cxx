@@ -760,7 +760,7 @@ void vtkTranslucencyFrame::DrawProps(const vtkRenderState* state, const Stage& s
   for (vtkProp* prop : unreached)
   {
     // Which of its layers are back faces nobody knows: all are drawn with the front faces.
-    if (prop->HasTranslucentPolygonalGeometry() && kept.GatherFaces != Faces::Back)
+    if (kept.GatherFaces != Faces::Back)
     {
       this->DrawUnreached(prop, stage, colors, any);
       ++kept.RenderedProps;
@@ -1167,7 +1167,7 @@ std::vector<vtkProp*> vtkTranslucencyFrame::GetProps() const
   for (int i = 0; i < vtkTranslucencyPropCount(this->State); ++i)
   {
     vtkProp* prop = vtkTranslucencyProp(this->State, i);
-    if (prop->HasTranslucentPolygonalGeometry())
+    if (prop->HasTranslucentPolygonalGeometry() || this->Pass->Internal->Unreached.Has(prop))
     {
       props.push_back(prop);
     }
@@ -1193,7 +1193,7 @@ std::array<double, 2> vtkTranslucencyFrame::GetDepthRange() const
   for (int i = 0; i < vtkTranslucencyPropCount(this->State); ++i)
   {
     vtkProp* prop = vtkTranslucencyProp(this->State, i);
-    if (!prop->GetVisibility() || !prop->HasTranslucentPolygonalGeometry())
+    if (!prop->GetVisibility() || !(prop->HasTranslucentPolygonalGeometry() || this->Pass->Internal->Unreached.Has(prop)))
     {
       continue;
     }

@@ -153,7 +153,7 @@ std::string vtkTranslucencyPeelingGuard::Render(vtkDepthPeelingPass* peeling, co
   for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
   {
     vtkProp* prop = vtkTranslucencyProp(state, i);
-    if (this->Unreached.Has(prop) && prop->HasTranslucentPolygonalGeometry())
+    if (this->Unreached.Has(prop))
     {
       unreached.push_back(prop);
     }

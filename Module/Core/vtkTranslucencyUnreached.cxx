@@ -96,7 +96,7 @@ std::string vtkTranslucencyUnreached::Find(const vtkRenderState* state, vtkOpenG
   for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
   {
     vtkProp* prop = vtkTranslucencyProp(state, i);
-    if (prop->HasTranslucentPolygonalGeometry() && !this->Has(prop) && this->Test({ prop }, state, window, draw))
+    if (!this->Has(prop) && this->Test({ prop }, state, window, draw))
     {
       this->Note(prop, false);
       const std::string description = Describe(prop);
@@ -133,7 +133,7 @@ std::string vtkTranslucencyUnreached::LookAhead(
   {
     vtkProp* prop = vtkTranslucencyProp(state, i);
     const Known* known = this->FindKnown(prop);
-    if (prop->HasTranslucentPolygonalGeometry() && (!known || known->Looked != LastChange(prop)))
+    if (!known || known->Looked != LastChange(prop))
     {
       changed.push_back(prop);
     }

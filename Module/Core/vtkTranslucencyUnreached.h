@@ -5,7 +5,8 @@
  * that has no place for the text. Both are known by what they do: while they are drawn with the pass's key, a program without the text
  * is bound for the framebuffer that is drawn to (vtkTranslucencyShaderWatch). All translucent props are watched in one drawing; if one is met, each
  * is drawn by itself to find which it was, without rasterizing. From then on it is known, and looked at again only when it changes. Where a
- * drawing can't be repeated, since it goes over the opaque picture, all props are looked at before.
+ * drawing can't be repeated, since it goes over the opaque picture, all props are looked at before. What a prop says of itself is not asked:
+ * vtkSphereHandleRepresentation, vtkDistanceRepresentation3D and vtkLightRepresentation draw translucent geometry and say that they have none.
  */
 #ifndef vtkTranslucencyUnreached_h
 #define vtkTranslucencyUnreached_h
