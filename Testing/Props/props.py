@@ -113,16 +113,6 @@ def slice_of(image):
     return image_slice
 
 
-def brick():
-    """A picture of three dimensions."""
-    source = vtk.vtkRTAnalyticSource()
-    source.SetWholeExtent(-10, 10, -10, 10, -10, 10)
-    source.Update()
-    image = source.GetOutput()
-    image.SetSpacing(0.05, 0.05, 0.05)
-    return image
-
-
 def centered(image):
     image.SetSpacing(0.04, 0.04, 1)
     image.SetOrigin(-0.62, -0.62, 0)
@@ -132,7 +122,7 @@ def centered(image):
 as_made("vtkAnnotatedCubeActor", "vtkBoxRepresentation", "vtkCameraPathRepresentation", "vtkFinitePlaneRepresentation",
         "vtkImplicitCylinderRepresentation", "vtkImplicitPlaneRepresentation",
         "vtkLineRepresentation", "vtkPolyLineRepresentation",
-        "vtkSphereRepresentation", "vtkSplineRepresentation", "vtkTensorRepresentation")
+        "vtkSplineRepresentation", "vtkTensorRepresentation")
 
 
 @recipe("vtkActor", "vtkLODActor", "vtkQuadricLODActor")
@@ -351,18 +341,9 @@ def _(prop, _):
     prop.ClosedLoopOn()
 
 
-@recipe("vtkResliceCursorLineRepresentation", "vtkResliceCursorThickLineRepresentation")
+@recipe("vtkSphereRepresentation")
 def _(prop, _):
-    cursor = vtk.vtkResliceCursor()
-    cursor.SetImage(brick())
-    cursor.SetCenter(0, 0, 0)
-    cursor.SetThickMode(False)
-    algorithm = prop.GetResliceCursorActor().GetCursorAlgorithm()
-    algorithm.SetResliceCursor(cursor)
-    algorithm.SetReslicePlaneNormal(2)
-    prop.GetLookupTable().SetAlphaRange(OPACITY, OPACITY)
-    prop.GetLookupTable().Build()
-    prop.DisplayTextOff()
+    prop.HandleTextOff()  # in the plane of the picture: each slab would draw it
 
 
 @recipe("vtkCheckerboardRepresentation")
@@ -397,8 +378,10 @@ not_drawn("a volume: see Documentation/SceneKinds.md", "vtkMultiVolume", "vtkVol
 not_drawn("VTK draws its parts among opaque props only, so that none is drawn that is translucent", "vtkCameraActor",
           "vtkEllipsoidTensorProbeRepresentation", "vtkLightActor", "vtkParallelopipedRepresentation", "vtkPolarAxesActor", "vtkResliceCursorActor")
 not_drawn("draws nothing itself: its handles are props of their own", "vtkSeedRepresentation")
-not_drawn("VTK gives its parts no geometry", "vtkAxesTransformRepresentation")
-not_drawn("drawn by VTK's modules for virtual reality only", "vtkAvatar")
+not_drawn("draws nothing as it is made, whatever is set", "vtkAxesTransformRepresentation")
+not_drawn("draws nothing but in virtual reality", "vtkAvatar")
 not_drawn("a background, behind all there is", "vtkSkybox")
+not_drawn("turns the camera to its plane in every frame, so that slabs of depth can't be had of it", "vtkResliceCursorLineRepresentation",
+          "vtkResliceCursorThickLineRepresentation")
 not_drawn("not made to draw: VTK 9.1 crashes at what was tried; its plane is drawn as that of vtkImplicitPlaneRepresentation",
           "vtkImplicitImageRepresentation")
