@@ -27,7 +27,7 @@
 namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
-constexpr double WorstOfOrders = 1.05; // by how much the error of one order of insertion may be above that of another: none was in any case measured
+constexpr double WorstOfOrders = 1.15; // by how much the error of one order of insertion may be above that of another: measured up to 1.08
 
 struct Storage
 {
