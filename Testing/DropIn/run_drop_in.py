@@ -137,7 +137,7 @@ def never_asked(runner):
 
 def falls_back_to_peeling(runner):
     """The pass peels itself then, which the drop-in must not take from it."""
-    stock, _ = runner.draw(["renderer"])
+    stock, _ = runner.draw(["single"])
     drawn, said = runner.run(["renderer"], environment={"MESA_EXTENSION_OVERRIDE": "-GL_ARB_shader_storage_buffer_object"})
     assert "drawing by depth peeling instead" in said, said
     assert stock == drawn
