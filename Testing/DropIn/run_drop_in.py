@@ -65,27 +65,27 @@ def a_single_pass_of_its_own(runner):
     draws_as_peeling(runner, ["single"])
 
 
+def keeps_the_effect(runner, how, bound):
+    """The technique's picture, which is within a bound of that by peeling."""
+    stock, said = runner.draw(how)
+    assert not said, said
+    drawn, said = runner.run(how, "--technique", "exact")
+    assert not said, f"{how}: {said}"
+    assert 0 < largest(stock, drawn) <= bound, f"{how}: {largest(stock, drawn)}"
+    return drawn
+
+
 def effects_of_the_renderer(runner):
     """They are VTK's there: the technique stands where its peeling stands."""
+    without, _ = runner.run(["renderer", "0", "UseDepthPeeling"], "--technique", "exact")
     for effect, bound in (("UseFXAA", 20), ("UseSSAO", 3), ("UseHiddenLineRemoval", 3)):
-        how = ["renderer", "0", effect]
-        stock, said = runner.draw(how)
-        assert not said, said
-        drawn, said = runner.run(how, "--technique", "exact")
-        assert not said, f"{effect}: {said}"
-        assert 0 < largest(stock, drawn) <= bound, f"{effect}: {largest(stock, drawn)}"
-        without, _ = runner.run(["renderer", "0", "UseDepthPeeling"], "--technique", "exact")
+        drawn = keeps_the_effect(runner, ["renderer", "0", effect], bound)
         assert largest(without, drawn) > 20, f"{effect} is not seen"
 
 
 def passes_around_its_own(runner):
     for effect, bound in (("vtkSSAAPass", 3), ("vtkEDLShading", 3), ("vtkToneMappingPass", 6)):
-        how = ["dual", "0", effect]
-        stock, said = runner.draw(how)
-        assert not said, said
-        drawn, said = runner.run(how, "--technique", "exact")
-        assert not said, f"{effect}: {said}"
-        assert 0 < largest(stock, drawn) <= bound, f"{effect}: {largest(stock, drawn)}"
+        keeps_the_effect(runner, ["dual", "0", effect], bound)
     # VTK's peeling warns there, and draws what its framebuffers happen to hold.
     for samples in ("0", "4"):
         drawn, said = runner.run(["dual", samples, "vtkSSAOPass"], "--technique", "exact")
