@@ -26,18 +26,8 @@
 #include <iterator>
 #include <ostream>
 
-namespace
-{
-using Pass = vtkSmartPointer<vtkRenderPass>;
-
-vtkSmartPointer<vtkRenderStepsPass> Steps(vtkRenderPass* translucent)
-{
-  auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
-  steps->SetTranslucentPass(translucent);
-  return steps;
-}
-
-Pass Sequence(const std::vector<vtkRenderPass*>& passes)
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkSequencePass> Sequence(const std::vector<vtkRenderPass*>& passes)
 {
   vtkNew<vtkRenderPassCollection> collection;
   for (vtkRenderPass* pass : passes)
@@ -47,6 +37,17 @@ Pass Sequence(const std::vector<vtkRenderPass*>& passes)
   auto sequence = vtkSmartPointer<vtkSequencePass>::New();
   sequence->SetPasses(collection);
   return sequence;
+}
+
+namespace
+{
+using Pass = vtkSmartPointer<vtkRenderPass>;
+
+vtkSmartPointer<vtkRenderStepsPass> Steps(vtkRenderPass* translucent)
+{
+  auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+  steps->SetTranslucentPass(translucent);
+  return steps;
 }
 
 /// A pass that draws what another one gives it.
@@ -60,9 +61,7 @@ struct Wrapper
 template <typename Type>
 Pass Wrap(vtkRenderPass* inner)
 {
-  auto pass = vtkSmartPointer<Type>::New();
-  pass->SetDelegatePass(inner);
-  return pass;
+  return Around<Type>(inner);
 }
 
 Pass WrapSSAO(vtkRenderPass* inner)

@@ -4,14 +4,24 @@
 #ifndef Chains_h
 #define Chains_h
 
+#include <vtkSequencePass.h>
 #include <vtkSmartPointer.h>
 
 #include <functional>
 #include <string>
 #include <vector>
 
-class vtkRenderPass;
-class vtkRenderStepsPass;
+
+/// A pass that draws what another one gives it.
+template <typename Pass>
+vtkSmartPointer<Pass> Around(vtkRenderPass* inner)
+{
+  auto pass = vtkSmartPointer<Pass>::New();
+  pass->SetDelegatePass(inner);
+  return pass;
+}
+
+vtkSmartPointer<vtkSequencePass> Sequence(const std::vector<vtkRenderPass*>& passes);
 
 struct Chain
 {

@@ -138,6 +138,22 @@ vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> OwnTechniques()
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
+    if (vtkTranslucencyPass::SafeDownCast(pass))
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 Picture Draw(const AnalyticScene& scene, vtkTranslucencyPass* pass)
 {
   View view(scene);

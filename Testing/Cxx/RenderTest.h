@@ -67,6 +67,9 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// A new pass of a technique, by its name in vtkTranslucencyFactory. Fails where it does not take a setting.
 vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const Settings& settings = {});
 
+/// The names of this module's techniques, without those that are VTK's.
+std::vector<std::string> OwnTechniques();
+
 /// Draws a scene once by a pass.
 Picture Draw(const AnalyticScene& scene, vtkTranslucencyPass* pass);
 

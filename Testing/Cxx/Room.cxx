@@ -105,3 +105,9 @@ Picture Room::Render()
   this->Window->Render();
   return Capture(this->Window);
 }
+
+//------------------------------------------------------------------------------
+bool BlendsOneSurface(const std::string& technique)
+{
+  return technique != "additive" && technique != "screendoor" && technique != "stochastic";
+}

@@ -30,4 +30,7 @@ private:
   std::vector<vtkActor*> Others;
 };
 
+/// Whether a technique blends a single surface over what is behind it as VTK does, but for rounding.
+bool BlendsOneSurface(const std::string& technique);
+
 #endif

@@ -24,6 +24,8 @@
 #include <vtkTranslucentPass.h>
 #include <vtkVolumetricPass.h>
 
+#include <algorithm>
+
 namespace
 {
 /// VTK's renderer with plain blending, as it has it from release 9.5 on by UseOITOff: 9.1 always takes its weighted average.
@@ -98,37 +100,9 @@ using TestEffectsOfPasses = RenderTest;
 /// Of this module's own, that draw a single surface as blending does.
 std::vector<std::string> TechniquesThatBlendOneSurface()
 {
-  std::vector<std::string> names;
-  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
-  {
-    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
-    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
-    if (vtkTranslucencyPass::SafeDownCast(pass) && name != "additive" && name != "screendoor" && name != "stochastic")
-    {
-      names.push_back(name);
-    }
-  }
+  std::vector<std::string> names = OwnTechniques();
+  names.erase(std::remove_if(names.begin(), names.end(), [](const std::string& name) { return !BlendsOneSurface(name); }), names.end());
   return names;
-}
-
-template <typename Pass>
-vtkSmartPointer<Pass> Around(vtkRenderPass* inner)
-{
-  auto pass = vtkSmartPointer<Pass>::New();
-  pass->SetDelegatePass(inner);
-  return pass;
-}
-
-vtkSmartPointer<vtkSequencePass> Sequence(const std::vector<vtkRenderPass*>& passes)
-{
-  vtkNew<vtkRenderPassCollection> collection;
-  for (vtkRenderPass* pass : passes)
-  {
-    collection->AddItem(pass);
-  }
-  auto sequence = vtkSmartPointer<vtkSequencePass>::New();
-  sequence->SetPasses(collection);
-  return sequence;
 }
 
 /// A pass that nobody knows, which draws what is opaque.

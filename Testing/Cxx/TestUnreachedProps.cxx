@@ -42,21 +42,6 @@ const char* const OwnShader = "//VTK::System::Dec\n"
                               "//VTK::Output::Dec\n"
                               "void main() { gl_FragData[0] = vec4(1.0, 0.5, 0.0, 0.5); }\n";
 
-std::vector<std::string> OwnTechniques()
-{
-  std::vector<std::string> names;
-  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
-  {
-    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
-    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
-    if (vtkTranslucencyPass::SafeDownCast(pass))
-    {
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
 // Hides the last actors of a view behind props, which are then drawn last, too.
 void HideLast(View& view, int count)
 {
