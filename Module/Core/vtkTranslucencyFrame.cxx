@@ -1535,12 +1535,6 @@ vtkTypeInt64 vtkTranslucencyFrame::GetDeepestPixel()
 void vtkTranslucencyFrame::Blend()
 {
   this->UseTile();
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  state->vtkglBlendFuncSeparate(
-    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  vtkTranslucencyGLState::UsePlainBlending(this->Window->GetState());
   this->Pass->TranslucentPass->Render(this->State);
 }

@@ -138,3 +138,13 @@ std::array<int, 4> vtkTranslucencyGLState::GetScissor() const
   }
   return this->Scissor;
 }
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyGLState::UsePlainBlending(vtkOpenGLState* state)
+{
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}

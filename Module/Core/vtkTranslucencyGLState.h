@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 
 class vtkTranslucencyGLState
 {
@@ -25,6 +26,9 @@ public:
 
   /// GL_SCISSOR_BOX as it was, or the viewport where the scissor test was off.
   std::array<int, 4> GetScissor() const;
+
+  /// Blends as VTK blends translucent props.
+  static void UsePlainBlending(vtkOpenGLState* state);
 
   vtkTranslucencyGLState(const vtkTranslucencyGLState&) = delete;
   vtkTranslucencyGLState& operator=(const vtkTranslucencyGLState&) = delete;

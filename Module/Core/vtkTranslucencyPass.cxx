@@ -624,10 +624,10 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
     }
     kept.Peeling->SetTranslucentPass(this->TranslucentPass);
     drawing = kept.Peeling;
-    const std::string props = kept.Guard.Render(kept.Peeling, state, kept.Window, [&] { drawing->Render(state); });
-    if (!props.empty())
+    const std::string warning = kept.Guard.Render(kept.Peeling, state, kept.Window, [&] { drawing->Render(state); });
+    if (!warning.empty())
     {
-      vtkWarningMacro(<< props << " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending");
+      vtkWarningMacro(<< warning);
     }
   }
   else

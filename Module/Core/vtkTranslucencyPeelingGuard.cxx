@@ -1,5 +1,6 @@
 #include "vtkTranslucencyPeelingGuard.h"
 
+#include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkDepthPeelingPass.h"
@@ -160,15 +161,11 @@ std::string vtkTranslucencyPeelingGuard::Render(vtkDepthPeelingPass* peeling, co
   }
   if (!unreached.empty())
   {
-    vtkOpenGLState* glState = window->GetState();
-    glState->vtkglDepthMask(GL_FALSE);
-    glState->vtkglEnable(GL_DEPTH_TEST);
-    glState->vtkglEnable(GL_BLEND);
-    glState->vtkglBlendEquation(GL_FUNC_ADD);
-    glState->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    window->GetState()->vtkglDepthMask(GL_FALSE);
+    vtkTranslucencyGLState::UsePlainBlending(window->GetState());
     vtkRenderState others(state->GetRenderer());
     vtkTranslucencySetProps(others, unreached, state);
     delegate->Render(&others);
   }
-  return guarded->Found;
+  return guarded->Found.empty() ? "" : guarded->Found + " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending";
 }

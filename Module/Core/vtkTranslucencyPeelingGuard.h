@@ -23,7 +23,7 @@ class vtkTranslucencyPeelingGuard
 public:
   vtkTranslucencyPeelingGuard();
 
-  /// Draws by a pass of VTK, whose Render the function calls. Gives a description of props that were not reached, empty if there is none or if
+  /// Draws by a pass of VTK, whose Render the function calls. Gives what to warn of: props that were not reached. Empty if there is none or if
   /// it was given before.
   std::string Render(vtkDepthPeelingPass* peeling, const vtkRenderState* state, vtkOpenGLRenderWindow* window,
     const std::function<void()>& render);

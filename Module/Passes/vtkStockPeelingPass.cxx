@@ -36,9 +36,9 @@ void vtkStockPeelingPass::Render(const vtkRenderState* state)
   }
   this->Refused = false;
   const vtkTranslucencyGLState found(window, false);
-  const std::string props = this->Guard.Render(this, state, window, [&] { this->Superclass::Render(state); });
-  if (!props.empty())
+  const std::string warning = this->Guard.Render(this, state, window, [&] { this->Superclass::Render(state); });
+  if (!warning.empty())
   {
-    vtkWarningMacro(<< props << " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending");
+    vtkWarningMacro(<< warning);
   }
 }
