@@ -4,12 +4,14 @@
 //
 // Needs: resolvePixel(pixel, color, transmittance), false where nothing is to be drawn; TRANSMITTANCE_CHANNELS.  Gives: main.
 #include "Common/Output.glsl"
+#include "Common/Tile.glsl"
 
 void main()
 {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 color = vec3(0.0);
   Channels transmittance = Channels(1.0);
-  if (!resolvePixel(ivec2(gl_FragCoord.xy), color, transmittance))
+  if (!inTile(pixel) || !resolvePixel(pixel, color, transmittance))
   {
     discard;
   }

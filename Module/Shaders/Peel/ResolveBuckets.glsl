@@ -1,7 +1,6 @@
 // Peel/ResolveBuckets.glsl: a pixel's colour, or that of a sample of it: all that has been peeled.
 //
 // Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.
-#include "Common/Tile.glsl"
 #include "Peel/Buckets.glsl"
 
 bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
@@ -9,8 +8,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
   Front front = loadFront(sampleRecord());
   color = front.color;
   transmittance = front.transmittance;
-  bool holdsLayers = color != vec3(0.0) || transmittance != Channels(1.0);
-  return inTile(pixel) && holdsLayers; // beside the tile there are no records
+  return color != vec3(0.0) || transmittance != Channels(1.0);
 }
 
 #include "Common/Composite.glsl"
