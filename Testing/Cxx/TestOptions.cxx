@@ -198,6 +198,38 @@ TEST_F(TestOptions, StartWithTheirDeclaredDefaults)
 }
 
 //------------------------------------------------------------------------------
+// The setters themselves; what is off or on has no range.
+TEST_F(TestOptions, RefuseWhatIsJustOutOfRange)
+{
+  int refused = 0;
+  for (const vtkSmartPointer<vtkTranslucencyPass>& pass : NewPasses())
+  {
+    for (const vtkTranslucencyOption& option : pass->GetOptions())
+    {
+      SCOPED_TRACE(std::string(pass->GetClassName()) + ", " + option.Name);
+      const double step = option.Type == vtkTranslucencyOption::Kind::Real ? 0.125 : 1;
+      for (double value : { option.Minimum - step, option.Maximum + step })
+      {
+        if (std::isinf(value) || option.Choices == std::vector<std::string>{ "off", "on" })
+        {
+          continue;
+        }
+        ++refused;
+        const vtkMTimeType before = pass->GetMTime();
+        option.Set(value);
+        EXPECT_EQ(option.Get(), option.Default) << value;
+        EXPECT_EQ(pass->GetMTime(), before) << value;
+        const std::vector<std::string> messages = TakeMessages();
+        ASSERT_EQ(messages.size(), 1u) << value;
+        EXPECT_NE(messages[0].find(option.Name + " is "), std::string::npos) << messages[0];
+        EXPECT_NE(messages[0].find("expected"), std::string::npos) << messages[0];
+      }
+    }
+  }
+  EXPECT_GT(refused, 60);
+}
+
+//------------------------------------------------------------------------------
 TEST_F(TestOptions, RefuseWhatTheyDoNotTake)
 {
   vtkNew<vtkAdaptiveTransparencyPass> pass;

@@ -81,6 +81,8 @@ std::vector<Technique> Colored()
     Layers("mlab", 1, Tail::Merge), Layers("mlab", 4, Tail::Merge), Layers("mlab", 32, Tail::Merge),
     Layers("kbuffer", 1, Tail::Drop), Layers("kbuffer", 8, Tail::Drop), Layers("hybrid", 1, Tail::Average),
     Layers("hybrid", 8, Tail::Average),
+    { "Kbuffer8Bytes", "kbuffer", { { "layers", "8" }, { "color_format", "rgba8" } },
+      [](const std::vector<Fragment>& fragments) { return Reference::CompositeLayers(fragments, 8, Tail::Drop); }, 3 },
     { "WeightedSum", "weighted", { { "method", "sum" } }, Reference::CompositeWeightedSum },
     { "WeightedAverage", "weighted", { { "method", "average" } }, Reference::CompositeWeightedAverage },
     { "WeightedBlended", "weighted", { { "method", "blended" }, { "weight_function", "equation10" } },
