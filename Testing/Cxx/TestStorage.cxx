@@ -216,11 +216,11 @@ TEST_P(TestStorage, DrawsAsLinkedListsDoInBytes)
   ExpectSamePictures(storage, Techniques[0], { { "color_format", "rgba8" } }, samples, false);
 }
 
+// Each format with one number of samples: what takes the time is the driver's compiler.
 TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
 {
   const auto& [storage, samples] = GetParam();
-  ExpectSamePictures(storage, Techniques[0], {}, samples, true);
-  ExpectSamePictures(storage, Techniques[0], { { "color_format", "rgba8" } }, samples, true);
+  ExpectSamePictures(storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, true);
 }
 
 // What shaders count, and what the closed forms expect from nothing but the histogram.
@@ -282,17 +282,20 @@ INSTANTIATE_TEST_SUITE_P(Designs, TestStorage, testing::Combine(testing::ValuesI
 //------------------------------------------------------------------------------
 class TestStorageLengths
   : public RenderTest
-  , public testing::WithParamInterface<Storage>
+  , public testing::WithParamInterface<std::tuple<Storage, int>>
 {
 };
 
 TEST_P(TestStorageLengths, DrawAsLinkedListsDo)
 {
-  ExpectSamePictures(GetParam(), Techniques[0], {}, 1, false);
-  ExpectSamePictures(GetParam(), Techniques[0], { { "color_format", "rgba8" } }, 4, false);
+  const auto& [storage, samples] = GetParam();
+  ExpectSamePictures(storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, false);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lengths, TestStorageLengths, testing::ValuesIn(Lengths), [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(OneSample, TestStorageLengths, testing::Combine(testing::ValuesIn(Lengths), testing::Values(1)),
+  [](const auto& info) { return std::get<0>(info.param).Name; });
+INSTANTIATE_TEST_SUITE_P(FourSamples, TestStorageLengths, testing::Combine(testing::Values(Lengths[1], Lengths[4], Lengths[6]), testing::Values(4)),
+  [](const auto& info) { return std::get<0>(info.param).Name; });
 
 //------------------------------------------------------------------------------
 class TestStorageOfTechniques

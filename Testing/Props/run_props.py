@@ -15,7 +15,7 @@ from vtkmodules import all as vtk
 import vtktranslucency
 from kinds import Stage, look, surface
 from props import NOT_DRAWN, RECIPES, get_unlisted, make, prop_classes
-from run_kind import read, values, write
+from run_kind import distances, read, write
 
 SIZE = (120, 100)
 SLABS = 256
@@ -74,12 +74,6 @@ class Scene:
         return read(self.window, 1)
 
 
-def distances(one, other):
-    """The largest difference of the channels of each pixel."""
-    differences = [abs(a - b) for a, b in zip(values(one).cast("B"), values(other).cast("B"))]
-    return list(map(max, differences[0::3], differences[1::3], differences[2::3]))
-
-
 class Messages:
     """What VTK and the passes say while it lasts, one text each."""
 
@@ -107,9 +101,10 @@ class Drawn:
             prop = make(name, scene.renderer)
             with Messages():  # VTK's own about its own props
                 truth = scene.draw_slabs()
-            seen = [distance > BOUND[samples] for distance in distances(truth, scene.without)]
-            if sum(seen) < LEAST_SEEN * len(seen):
-                self.wrong.append(f"{sum(seen)} of {len(seen)} pixels are changed by the prop, expected {LEAST_SEEN:.1%} of them")
+            apart = distances(truth, scene.without)
+            seen = (apart > BOUND[samples]).sum()
+            if seen < LEAST_SEEN * len(apart):
+                self.wrong.append(f"{seen} of {len(apart)} pixels are changed by the prop, expected {LEAST_SEEN:.1%} of them")
             for technique in COLUMNS[samples]:
                 with Messages() as messages:
                     drawn = scene.draw(technique)
@@ -126,13 +121,13 @@ class Drawn:
 
     def compare(self, technique, samples, drawn, truth, seen, folder):
         apart = distances(drawn, truth)
-        outside = sum(distance > BOUND[samples] for distance in apart)
-        share = outside / max(1, sum(seen))
+        outside = (apart > BOUND[samples]).sum()
+        share = outside / max(1, seen)
         self.cells.append("all" if outside == 0 else f"{1 - share:.1%}")
         allowed = 1 - LEAST_RIGHT[samples]
         if share > allowed:
-            self.wrong.append(f"{technique} with {samples} samples: {outside} pixels are more than {BOUND[samples]}/255 off, by {max(apart)} at most; the prop "
-                              f"changes {sum(seen)}, and {allowed:.0%} of those are expected at most")
+            self.wrong.append(f"{technique} with {samples} samples: {outside} pixels are more than {BOUND[samples]}/255 off, by {apart.max()} at most; the prop "
+                              f"changes {seen}, and {allowed:.0%} of those are expected at most")
             folder.mkdir(parents=True, exist_ok=True)
             write(drawn, folder / f"{self.name}-{technique}-{samples}.png")
             write(truth, folder / f"{self.name}-truth-{samples}.png")

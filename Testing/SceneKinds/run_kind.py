@@ -16,7 +16,9 @@ import json
 import pathlib
 import sys
 
+import numpy
 from vtkmodules import all as vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import vtktranslucency
 from kinds import KINDS, Stage
@@ -34,49 +36,52 @@ def items(collection):
     return [collection.GetItemAsObject(i) for i in range(collection.GetNumberOfItems())]
 
 
-def translucent_props(stage):
-    return stage.translucent
+class Scene:
+    """A kind in a window, drawn by a technique, or if that is None by VTK itself with depth peeling."""
 
+    def __init__(self, kind, technique, samples=1):
+        self.window = vtk.vtkRenderWindow()
+        self.window.OffScreenRenderingOn()
+        self.window.SetMultiSamples(samples if samples > 1 else 0)
+        self.window.SetSize(SIZE)
+        self.stage = Stage(self.window)
+        camera = self.stage.renderer.GetActiveCamera()
+        camera.SetPosition(0.9, 0.8, 4)
+        camera.SetViewAngle(32)
+        camera.SetParallelScale(1.1)
+        self.stage.companions()
+        kind.build(self.stage)
+        self.technique = technique
+        self.passes = []
+        self.renderers = items(self.window.GetRenderers())
+        for renderer in self.renderers:
+            if technique or self.stage.needs_pass:
+                self.passes.append(vtktranslucency.enable(renderer, technique or "vtk-peel"))
+            else:
+                renderer.UseDepthPeelingOn()
+                renderer.UseDepthPeelingForVolumesOn()
+                renderer.SetOcclusionRatio(0)
+                renderer.SetMaximumNumberOfPeels(1000)
+            self.stage.arrange(renderer, renderer.GetPass())
 
-def all_props(stage):
-    return [prop for renderer in items(stage.window.GetRenderers()) for prop in items(renderer.GetViewProps())]
+    def draw(self, sample_position=CENTER):
+        """The picture as bytes, rows of RGB."""
+        for renderer in self.renderers:
+            viewport = renderer.GetViewport()
+            renderer.GetActiveCamera().SetWindowCenter(
+                *(2 * (sample_position[i] - 0.5) / (SIZE[i] * self.stage.tiles * (viewport[i + 2] - viewport[i])) for i in (0, 1)))
+            renderer.ResetCameraClippingRange()
+        self.stage.shoot()
+        for technique_pass in (p for p in self.passes if hasattr(p, "GetStatistics")):
+            fallback = technique_pass.GetStatistics().GetFallback()
+            assert not fallback, f"drawn by {fallback} instead of {self.technique}"
+        return read(self.window, self.stage.scale)
 
-
-def draw(kind, technique, samples=1, sample_position=CENTER, hidden=lambda stage: ()):
-    """The picture as bytes, rows of RGB. technique None is VTK's own drawing with depth peeling; hidden gives the props to leave out."""
-    window = vtk.vtkRenderWindow()
-    window.OffScreenRenderingOn()
-    window.SetMultiSamples(samples if samples > 1 else 0)
-    window.SetSize(SIZE)
-    stage = Stage(window)
-    camera = stage.renderer.GetActiveCamera()
-    camera.SetPosition(0.9, 0.8, 4)
-    camera.SetViewAngle(32)
-    camera.SetParallelScale(1.1)
-    stage.companions()
-    kind.build(stage)
-    for prop in hidden(stage):
-        prop.VisibilityOff()
-    passes = []
-    for renderer in items(window.GetRenderers()):
-        if technique or stage.needs_pass:
-            passes.append(vtktranslucency.enable(renderer, technique or "vtk-peel"))
-        else:
-            renderer.UseDepthPeelingOn()
-            renderer.UseDepthPeelingForVolumesOn()
-            renderer.SetOcclusionRatio(0)
-            renderer.SetMaximumNumberOfPeels(1000)
-        stage.arrange(renderer, renderer.GetPass())
-        camera = renderer.GetActiveCamera()
-        viewport = renderer.GetViewport()
-        camera.SetWindowCenter(*(2 * (sample_position[i] - 0.5) / (SIZE[i] * stage.tiles * (viewport[i + 2] - viewport[i]))
-                                 for i in (0, 1)))
-        renderer.ResetCameraClippingRange()
-    stage.shoot()
-    for technique_pass in (p for p in passes if hasattr(p, "GetStatistics")):
-        fallback = technique_pass.GetStatistics().GetFallback()
-        assert not fallback, f"drawn by {fallback} instead of {technique}"
-    return read(window, stage.scale)
+    def draw_without(self, props):
+        """The picture without these, which don't come back."""
+        for prop in props:
+            prop.VisibilityOff()
+        return self.draw()
 
 
 def read(window, scale):
@@ -91,31 +96,33 @@ def read(window, scale):
     return image
 
 
-def values(image):
-    return memoryview(image.GetPointData().GetScalars())
+def pixels(image):
+    """Its rows of RGB, which change with it."""
+    return vtk_to_numpy(image.GetPointData().GetScalars())
 
 
 def mean(images):
     result = vtk.vtkImageData()
     result.DeepCopy(images[0])
-    out = result.GetPointData().GetScalars()
-    for i, four in enumerate(zip(*(values(image).cast("B") for image in images))):
-        out.SetValue(i, (sum(four) + len(images) // 2) // len(images))
+    pixels(result)[:] = (sum(pixels(image).astype(int) for image in images) + len(images) // 2) // len(images)
     return result
+
+
+def distances(one, other):
+    """The largest difference of the channels of each pixel."""
+    assert one.GetDimensions() == other.GetDimensions(), f"{one.GetDimensions()}, expected {other.GetDimensions()}"
+    return numpy.abs(pixels(one).astype(int) - pixels(other)).max(axis=1)
 
 
 def compare(drawn, truth, bound):
     """The share of pixels within the bound, and the largest difference."""
-    assert drawn.GetDimensions() == truth.GetDimensions(), f"{drawn.GetDimensions()}, expected {truth.GetDimensions()}"
-    differences = [abs(a - b) for a, b in zip(values(drawn).cast("B"), values(truth).cast("B"))]
-    pixels = [max(differences[i:i + 3]) for i in range(0, len(differences), 3)]
-    return sum(pixel <= bound for pixel in pixels) / len(pixels), max(pixels)
+    apart = distances(drawn, truth)
+    return numpy.mean(apart <= bound), int(apart.max())
 
 
 def has_free_translucency(truth, opaque, background):
     """Whether a translucent surface has nothing opaque behind it in some pixel, by the pictures of all props, of the opaque ones and of none."""
-    pixels = [values(image).cast("B").tobytes() for image in (truth, opaque, background)]
-    return any(pixels[0][i:i + 3] != pixels[1][i:i + 3] == pixels[2][i:i + 3] for i in range(0, len(pixels[0]), 3))
+    return numpy.any((distances(truth, opaque) > 0) & (distances(opaque, background) == 0))
 
 
 def write(image, file):
@@ -127,16 +134,17 @@ def write(image, file):
 
 def run(name, folder):
     kind = KINDS[name]
-    truths = {1: draw(kind, None), 4: mean([draw(kind, None, 1, position) for position in SAMPLE_POSITIONS])}
-    opaque = draw(kind, None, hidden=translucent_props)
+    scene = Scene(kind, None)
+    truths = {1: scene.draw(), 4: mean([scene.draw(position) for position in SAMPLE_POSITIONS])}
+    opaque = scene.draw_without(scene.stage.translucent)
+    background = scene.draw_without(prop for renderer in scene.renderers for prop in items(renderer.GetViewProps()))
     same, _ = compare(opaque, truths[1], BOUND[1])
     assert 1 - same >= LEAST_SEEN, f"{name}: translucent props change {1 - same:.2%} of the pixels, expected {LEAST_SEEN:.0%}"
-    background = draw(kind, None, hidden=all_props)
     assert has_free_translucency(truths[1], opaque, background), f"{name}: opaque surfaces lie behind all translucent ones, where dual depth peeling is no truth"
     row = {"kind": name, "results": {}}
     failures = []
     for technique, samples in COLUMNS:
-        drawn = draw(kind, technique, samples)
+        drawn = Scene(kind, technique, samples).draw()
         share, largest = compare(drawn, truths[samples], BOUND[samples])
         row["results"][f"{technique} {samples}"] = {"share": share, "largest": largest}
         least = kind.share if samples == 1 else kind.share_of_samples
