@@ -114,16 +114,16 @@ struct Technique
   std::string Name;
   std::string Technique;
   Settings Options;
-  int AnyOrder; // what the order of depth instead of that of drawing changes, at most, in units of 1/255, as measured
+  int AnyOrder; // what the order of depth instead of that of drawing changes, at most, in units of 1/255, one more than measured
   int AnyOrderUnmerged; // the same where triangles that meet in a multi-sampled pixel do not share a fragment, and lists are longer
 };
 
 const std::vector<Technique> Techniques{
   { "Exact", "exact", {}, 0, 0 },
   { "Iterative", "exact", { { "resolve", "iterative" } }, 0, 0 },
-  { "Adaptive4", "adaptive", { { "nodes", "4" } }, 55, 55 },
-  { "Adaptive8", "adaptive", { { "nodes", "8" } }, 36, 36 },
-  { "Adaptive16", "adaptive", { { "nodes", "16" } }, 7, 14 },
+  { "Adaptive4", "adaptive", { { "nodes", "4" } }, 23, 23 },
+  { "Adaptive8", "adaptive", { { "nodes", "8" } }, 19, 23 },
+  { "Adaptive16", "adaptive", { { "nodes", "16" } }, 3, 15 },
   { "Fourier", "fourier", {}, 1, 1 },
   { "OpacityShadowMap", "shadowmap", {}, 1, 1 },
 };
