@@ -752,7 +752,7 @@ def coincident_topology(stage):
     stage.add(over)
 
 
-@kind("deep: forty shells", share=0.99, share_of_adaptive=0.88,
+@kind("deep: forty shells", share=0.99, share_of_adaptive=0.98,
       why="80 fragments: peeling rounds 80 times to 8 bits; adaptive has 16 nodes")
 def deep(stage):
     for i in range(40):
