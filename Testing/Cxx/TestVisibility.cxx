@@ -314,6 +314,30 @@ TEST_P(TestVisibility, KeepsTheTotal)
 }
 
 //------------------------------------------------------------------------------
+TEST_P(TestVisibility, LosesNothingToFragmentsThatDontCoverTheSample)
+{
+  EXPECT_TRUE(rc::check("the nodes and the estimate are those without them, bit for bit",
+    []
+    {
+      const auto with = GetParam().New();
+      const auto without = GetParam().New();
+      for (const Step& step : *rc::gen::resize(200, Steps()))
+      {
+        with->InsertUncovered();
+        with->Insert(step.Depth, step.Alpha);
+        without->Insert(step.Depth, step.Alpha);
+      }
+      with->InsertUncovered();
+      const std::vector<Node> nodes = with->GetNodes();
+      const std::vector<Node> expected = without->GetNodes();
+      RC_ASSERT(nodes.size() == expected.size());
+      RC_ASSERT(std::equal(nodes.begin(), nodes.end(), expected.begin(),
+        [](const Node& a, const Node& b) { return a.Depth == b.Depth && a.Transmittance == b.Transmittance; }));
+      RC_ASSERT(with->GetEstimate() == without->GetEstimate());
+    }));
+}
+
+//------------------------------------------------------------------------------
 TEST_P(TestVisibility, CorrectsNothingWhileAllFragmentsHaveNodes)
 {
   EXPECT_TRUE(rc::check("bit for bit",

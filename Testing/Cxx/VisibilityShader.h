@@ -17,6 +17,9 @@ public:
   virtual ~VisibilityShader() = default;
   virtual void Insert(float depth, float alpha) = 0;
 
+  /// A fragment of the pixel that does not cover the sample.
+  virtual void InsertUncovered() = 0;
+
   /// For all fragments in the order of their insertion, as the resolve asks.
   virtual float TransmittanceBefore(float depth) = 0;
 

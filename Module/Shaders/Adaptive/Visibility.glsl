@@ -34,7 +34,8 @@ void clearVisibility(OUT(Visibility) v)
 }
 
 // Multiplies vis(z) with the step of a fragment (Eq. 5). Of equal depths, the fragment that comes later is put behind, or in front
-// (INSERTED_AS_DRAWN). count fragments were inserted before this one.
+// (INSERTED_AS_DRAWN). count fragments were inserted before this one. One that lies behind NODE_EMPTY and hides nothing takes no node, and none is removed for it:
+// a rule that keeps the last node would remove another one.
 void insertFragment(INOUT(Visibility) v, float depth, Channels alpha, int count)
 {
   Channels passes = 1.0f - alpha;
@@ -50,7 +51,7 @@ void insertFragment(INOUT(Visibility) v, float depth, Channels alpha, int count)
   v.nearest = min(v.nearest, depth);
   v.farthest = depth < NODE_EMPTY ? max(v.farthest, depth) : v.farthest;
 #endif
-  if (count >= NODE_COUNT)
+  if (count >= NODE_COUNT && v.z[NODE_COUNT] < NODE_EMPTY)
   {
     removeNode(v);
   }
