@@ -1433,12 +1433,17 @@ bool vtkTranslucencyFrame::Resolve(
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(state);
   state->vtkglViewport(this->Tile[0], this->Tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
+  const bool sizedByPrograms = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
   glEnable(GL_PROGRAM_POINT_SIZE);
   state->vtkglDisable(GL_DEPTH_TEST);
   Stage over;
   over.Blend = this->GetOver();
   this->PrepareColors(over);
   this->DrawVertices(GL_POINTS, across * down);
+  if (!sizedByPrograms)
+  {
+    glDisable(GL_PROGRAM_POINT_SIZE); // the next tile may have points of the scene's, whose programs say no size
+  }
   if (this->Storage)
   {
     this->Storage->FinishLinks();
