@@ -362,9 +362,8 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkR
 void vtkTranslucencyFrame::ChooseTransmission()
 {
   vtkTranslucencyPass::Internals& kept = *this->Pass->Internal;
-  std::string invalid;
-  const int props = vtkTranslucencyPass::Internals::CountTransmitting(this->State, invalid);
-  if (props > 0)
+  const auto transmitting = vtkTranslucencyPass::Internals::CountTransmitting(this->State);
+  if (transmitting.Props > 0)
   {
     const bool keeps = this->Pass->KeepsTransmissionColors();
     const std::string& lacking = kept.Capabilities.MissingForTransmission;
@@ -373,16 +372,18 @@ void vtkTranslucencyFrame::ChooseTransmission()
     if (this->Transmission == Transmissions::Mean && kept.MeanTransmission != why)
     {
       kept.MeanTransmission = why;
-      vtkWarningWithObjectMacro(this->Pass,
-        << this->Pass->GetClassName() << " takes the transmission colours of " << props << " props by their mean: " << why);
+      const std::string emissive =
+        transmitting.Emissive > 0 ? " (white for " + std::to_string(transmitting.Emissive) + " with emissive splats)" : "";
+      vtkWarningWithObjectMacro(this->Pass, << this->Pass->GetClassName() << " takes the transmission colours of " << transmitting.Props
+                                            << " props" << emissive << " by their mean: " << why);
     }
   }
-  if (!invalid.empty() && kept.InvalidTransmission != invalid)
+  if (!transmitting.Invalid.empty() && kept.InvalidTransmission != transmitting.Invalid)
   {
     vtkErrorWithObjectMacro(this->Pass,
-      << "TRANSMISSION_COLOR of a " << invalid << " is not three numbers from 0 to 1; they are taken as the nearest ones that are");
+      << "TRANSMISSION_COLOR of a " << transmitting.Invalid << " is not three numbers from 0 to 1; they are taken as the nearest ones that are");
   }
-  kept.InvalidTransmission = invalid;
+  kept.InvalidTransmission = transmitting.Invalid;
 }
 
 //------------------------------------------------------------------------------
@@ -663,6 +664,17 @@ void vtkTranslucencyFrame::PrepareColors(const Stage& stage)
   state->SetEnumState(GL_MULTISAMPLE, this->TargetSamples > 1);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->SetEnumState(GL_BLEND, stage.Blend != Blending::Replace);
+  this->SetBlending(stage);
+  if (stage.HidesBehind)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::SetBlending(const Stage& stage)
+{
+  vtkOpenGLState* state = this->Window->GetState();
   // The state has one function for all buffers, and VTK, if it is built so, compares it with that of the first one.
   const BlendFunction first = GetFunction(stage, 0);
   state->vtkglBlendEquation(first.Equation);
@@ -673,9 +685,17 @@ void vtkTranslucencyFrame::PrepareColors(const Stage& stage)
     glBlendEquationi(static_cast<GLuint>(buffer), own.Equation);
     glBlendFuncSeparatei(static_cast<GLuint>(buffer), own.Factors[0], own.Factors[1], own.Factors[2], own.Factors[3]);
   }
-  if (stage.HidesBehind)
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrame::KeepBlending(const Stage& stage)
+{
+  const BlendFunction first = GetFunction(stage, 0);
+  std::array<int, 4> found;
+  this->Window->GetState()->GetBlendFuncState(found.data());
+  if (!std::equal(found.begin(), found.end(), std::begin(first.Factors), [](int a, auto b) { return a == static_cast<int>(b); }))
   {
-    state->vtkglEnable(GL_DEPTH_TEST);
+    this->SetBlending(stage);
   }
 }
 
@@ -690,6 +710,13 @@ void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors, bool* a
     this->PrepareColors(stage);
   }
   kept.GatherWritesDepth = stage.HidesBehind;
+  kept.KeepGatherBlending = [this, &stage, colors]
+  {
+    if (colors)
+    {
+      this->KeepBlending(stage);
+    }
+  };
   if (kept.OpaqueDepthCaptured) // by the first drawing of the frame
   {
     kept.ActivateOpaqueDepth();
@@ -727,6 +754,7 @@ void vtkTranslucencyFrame::DrawGeometry(const Stage& stage, bool colors, bool* a
   {
     kept.DeactivateOpaqueDepth();
   }
+  kept.KeepGatherBlending = [] {};
   kept.Statistics->SetGeometryPasses(kept.Statistics->GetGeometryPasses() + 1);
 }
 

@@ -260,6 +260,8 @@ private:
   vtkShaderProgram* PrepareHandOver();
   bool IsDrawn();
   void PrepareColors(const Stage& stage);
+  void SetBlending(const Stage& stage);
+  void KeepBlending(const Stage& stage);
   std::map<std::string, std::string> GetSelection() const;
   bool DrawVolumes();
   bool PrepareGather();

@@ -21,6 +21,7 @@
 #include "vtkVolumetricPass.h"
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -91,6 +92,7 @@ struct vtkTranslucencyPass::Internals
   bool GatherRejects = false; // whether the text has a function to be called before the fragment is shaded
   vtkTimeStamp GatherTextTime;
   bool GatherWritesDepth = false;
+  std::function<void()> KeepGatherBlending = [] {}; // as the stage that draws wants it
   vtkTranslucencyFrame::Faces GatherFaces = vtkTranslucencyFrame::Faces::All;
   int RenderedProps = 0; // by the last drawing
   bool Gathering = false;
@@ -104,8 +106,14 @@ struct vtkTranslucencyPass::Internals
   vtkTranslucencyUnreached Unreached{ { "gatherFragment(" } };
   vtkTranslucencyLayers Layers;
 
-  /// The translucent props that have a transmission colour; invalid becomes the class of one whose colour is none.
-  static int CountTransmitting(const vtkRenderState* state, std::string& invalid);
+  /// The translucent props that have a transmission colour, and the class of one whose colour is none.
+  struct Transmitting
+  {
+    int Props = 0;
+    int Emissive = 0; // of them: those whose mapper gives them one
+    std::string Invalid;
+  };
+  static Transmitting CountTransmitting(const vtkRenderState* state);
 
   vtkTranslucencyVolumes Volumes;
 

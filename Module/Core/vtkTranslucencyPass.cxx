@@ -18,7 +18,9 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -68,6 +70,39 @@ bool SetsDepth(const std::string& fragmentShader)
 {
   static const std::regex assignment("gl_FragDepth\\s*=[^=]");
   return std::regex_search(fragmentShader, assignment);
+}
+
+bool HasTransmissionColor(vtkProp* prop)
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  return keys && keys->Has(vtkTranslucencyPass::TRANSMISSION_COLOR());
+}
+
+// What VTK draws by adding it to the picture.
+bool IsEmissive(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return mapper && mapper->GetEmissive() && !HasTransmissionColor(prop);
+}
+
+// The same of a prop or one of its parts.
+bool HoldsEmissive(vtkProp* prop)
+{
+  if (vtkActor::SafeDownCast(prop) || HasTransmissionColor(prop))
+  {
+    return IsEmissive(prop);
+  }
+  vtkNew<vtkPropCollection> parts;
+  prop->GetActors(parts);
+  vtkCollectionSimpleIterator i;
+  parts->InitTraversal(i);
+  bool any = false;
+  while (vtkProp* part = parts->GetNextProp(i))
+  {
+    any = any || IsEmissive(part);
+  }
+  return any;
 }
 }
 
@@ -346,7 +381,7 @@ void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double
     }
   }
   double before[3];
-  if (GetTransmissionColor(prop, before) && before[0] == red && before[1] == green && before[2] == blue)
+  if (HasTransmissionColor(prop) && GetTransmissionColor(prop, before) && before[0] == red && before[1] == green && before[2] == blue)
   {
     return;
   }
@@ -362,12 +397,12 @@ void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
 {
-  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  const double* kept = keys ? keys->Get(TRANSMISSION_COLOR()) : nullptr;
+  const double* kept = HasTransmissionColor(prop) ? prop->GetPropertyKeys()->Get(TRANSMISSION_COLOR()) : nullptr;
+  const double unset = IsEmissive(prop) ? 1 : 0;
   bool valid = true;
   for (int i = 0; i < 3; ++i)
   {
-    color[i] = kept ? kept[i] : 0;
+    color[i] = kept ? kept[i] : unset;
     valid = valid && color[i] >= 0 && color[i] <= 1;
     color[i] = color[i] > 0 ? std::min(color[i], 1.0) : 0; // NaN becomes 0
   }
@@ -375,18 +410,26 @@ bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
 }
 
 //------------------------------------------------------------------------------
-int vtkTranslucencyPass::Internals::CountTransmitting(const vtkRenderState* state, std::string& invalid)
+vtkTranslucencyPass::Internals::Transmitting vtkTranslucencyPass::Internals::CountTransmitting(const vtkRenderState* state)
 {
-  int count = 0;
+  Transmitting result;
   for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
   {
     vtkProp* prop = vtkTranslucencyProp(state, i);
     double color[3];
-    invalid = GetTransmissionColor(prop, color) ? invalid : prop->GetClassName();
-    const bool transmits = color[0] > 0 || color[1] > 0 || color[2] > 0;
-    count += transmits && prop->HasTranslucentPolygonalGeometry() ? 1 : 0;
+    if (!GetTransmissionColor(prop, color))
+    {
+      result.Invalid = prop->GetClassName();
+    }
+    const bool emissive = HoldsEmissive(prop);
+    const bool transmits = emissive || color[0] > 0 || color[1] > 0 || color[2] > 0;
+    if (transmits && prop->HasTranslucentPolygonalGeometry())
+    {
+      ++result.Props;
+      result.Emissive += emissive ? 1 : 0;
+    }
   }
-  return count;
+  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -599,9 +642,8 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool peel = samples == 0;
-  std::string invalid;
   const std::string instead = reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") + " instead" +
-    (Internals::CountTransmitting(state, invalid) > 0 ? ", without transmission colours" : "");
+    (Internals::CountTransmitting(state).Props > 0 ? ", without transmission colours" : "");
   if (kept.Warned != reason && lacking)
   {
     vtkWarningMacro(<< instead);
@@ -727,6 +769,7 @@ bool vtkTranslucencyPass::SetShaderParameters(
   }
   // vtkOpenGLImageSliceMapper turns it on and, like the mappers of points and edges, leaves it on.
   kept.Window->GetState()->vtkglDepthMask(kept.GatherWritesDepth ? GL_TRUE : GL_FALSE);
+  kept.KeepGatherBlending(); // vtkPointGaussianMapper has set its own, if it is emissive
   CullFaces(kept.Window->GetState(), kept.GatherFaces, prop);
   vtkTranslucencyFrame::SetUniforms(program, kept.GatherUniforms);
   if (program->IsUniformUsed("gatherTransmission"))

@@ -154,7 +154,8 @@ public:
    * hides a * (1 - t) of what lies behind it. Black, the default, is a surface as VTK has it, such as gauze, which hides what it covers; red is
    * a red filter, which leaves the red of what lies behind; white hides nothing, and only adds its own colour, times a. (The survey in Real-Time
    * Rendering, 4th edition, section 5.5, tells the two kinds apart; coverage and transmission as in McGuire and Mara 2017, "Phenomenological
-   * transparency".) The prop must be translucent by its opacity or by vtkActor::ForceTranslucentOn; of an assembly, it is the assembly's.
+   * transparency".) The prop must be translucent by its opacity or by vtkActor::ForceTranslucentOn; of an assembly, it is the assembly's. The splats of a
+   * vtkPointGaussianMapper that is Emissive, as it is by default, only add light in VTK, too: they are white while the key is not set.
    *
    * Techniques that keep one transmittance, not three, take the mean and warn (KeepsTransmissionColors). Volumes, and the fallbacks of passes that
    * can't draw, have no transmission colours.

@@ -8,6 +8,8 @@
 #include <vtkInformationDoubleVectorKey.h>
 #include <vtkLODProp3D.h>
 #include <vtkMapper.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointGaussianMapper.h>
 #include <vtkProperty.h>
 #include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyStatistics.h>
@@ -633,5 +635,61 @@ TEST_F(TestTransmissionColor, InTilesGivesTheSamePicture)
     EXPECT_TRUE(pass->SetOption("memory_limit", "1.5"));
     EXPECT_EQ(Compare(whole, view.Render()).Largest, 0);
     EXPECT_GT(pass->GetStatistics()->GetTiles(), 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK adds emissive splats to the picture. Any technique draws them as what is white: it hides nothing. Without, they are surfaces.
+TEST_F(TestTransmissionColor, OfEmissiveSplatsIsWhite)
+{
+  AnalyticScene scene = RandomLayers(100, 75, 3, 2, 0.3, 0.6);
+  vtkNew<vtkPlaneSource> grid;
+  grid->SetResolution(4, 4);
+  grid->SetOrigin(10, 10, 0);
+  grid->SetPoint1(90, 10, 0);
+  grid->SetPoint2(10, 65, 0);
+  for (const std::string& name : OwnTechniques())
+  {
+    for (const std::string kind : { "actor", "assembly" })
+    {
+      SCOPED_TRACE(name + " " + kind);
+      vtkNew<vtkPointGaussianMapper> mapper;
+      mapper->SetInputConnection(grid->GetOutputPort());
+      mapper->SetScaleFactor(6);
+      vtkNew<vtkActor> splats;
+      splats->SetMapper(mapper);
+      splats->GetProperty()->SetColor(0.4, 0.2, 0.1);
+      splats->GetProperty()->SetOpacity(0.5);
+      View view(scene);
+      view.Renderer->AddActor(splats);
+      vtkNew<vtkAssembly> assembly;
+      vtkProp* whole = splats;
+      if (kind == "assembly")
+      {
+        view.Renderer->RemoveActor(splats);
+        assembly->AddPart(splats);
+        view.Renderer->AddActor(assembly);
+        whole = assembly;
+      }
+      view.SetPass(NewTechnique(name));
+      const Picture emissive = view.Render();
+      vtkTranslucencyPass::SetTransmissionColor(whole, 1, 1, 1);
+      const Picture white = view.Render();
+      EXPECT_EQ(Compare(emissive, white).Largest, 0) << Compare(emissive, white);
+      mapper->EmissiveOff();
+      EXPECT_EQ(Compare(view.Render(), white).Largest, 0);
+      vtkTranslucencyPass::SetTransmissionColor(whole, 0, 0, 0);
+      const Picture surfaces = view.Render();
+      if (name != "additive") // which lets nothing hide
+      {
+        EXPECT_GT(Compare(surfaces, white).Largest, 10);
+      }
+      mapper->EmissiveOn();
+      EXPECT_EQ(Compare(view.Render(), surfaces).Largest, 0) << "of black ones, the key says more";
+      for (const std::string& message : TakeMessages())
+      {
+        EXPECT_NE(message.find("1 props (white for 1 with emissive splats) by their mean"), std::string::npos) << message;
+      }
+    }
   }
 }
