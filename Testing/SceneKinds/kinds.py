@@ -15,18 +15,18 @@ BlocksMapper = getattr(vtk, "vtkCompositePolyDataMapper2", vtk.vtkCompositePolyD
 
 
 class Kind:
-    def __init__(self, build, what, share, share_of_samples, share_of_adaptive, why):
+    def __init__(self, build, what, share, share_of_samples, known, why):
         self.build = build
         self.what = what
         self.share = share  # of the pixels that have to be within 3/255 of the truth, one sample a pixel
         self.share_of_samples = share_of_samples  # the same with four samples: within 8/255
-        self.share_of_adaptive = share_of_adaptive  # at most, for what is too deep for its nodes
+        self.known = known  # of the pixels of which the truth has to be known
         self.why = why  # what explains the rest, for the table
 
 
-def kind(what, share=0.999, share_of_samples=0.995, share_of_adaptive=1, why=""):
+def kind(what, share=0.9998, share_of_samples=0.995, known=0.95, why=""):
     def register(build):
-        KINDS[build.__name__] = Kind(build, what, share, share_of_samples, share_of_adaptive, why)
+        KINDS[build.__name__] = Kind(build, what, share, share_of_samples, known, why)
         return build
 
     return register
@@ -43,7 +43,7 @@ class Stage:
         self.shoot = window.Render
         self.scale = 1  # of the picture, to the window's size
         self.tiles = 1  # how many windows' widths the picture has of which the window is a part
-        self.needs_pass = False  # the kind is made of passes: VTK's own drawing is then one of them, too
+        self.undivided = (0, 0)  # distances between which the truth has no slabs
         self.keep = []
 
     def add_renderer(self, viewport=(0, 0, 1, 1), layer=0):
@@ -255,8 +255,7 @@ def opacity_by_glyph(stage):
 # What is drawn.
 
 
-@kind("point gaussians", why="each sprite is flat: where sprites of one depth meet, peeling merges them")
-def point_gaussians(stage):
+def splats(emissive):
     data = vtk.vtkPolyData()
     points = vtk.vtkPoints()
     for i in range(40):
@@ -265,14 +264,24 @@ def point_gaussians(stage):
     mapper = vtk.vtkPointGaussianMapper()
     mapper.SetInputData(data)
     mapper.SetScaleFactor(0.1)
+    mapper.SetEmissive(emissive)
     mapper.ScalarVisibilityOff()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
-    stage.add(look(actor, (0.9, 0.9, 0.3), 0.7))
+    return look(actor, (0.9, 0.9, 0.3), 0.7)
 
 
-@kind("points as spheres", share=0.97, share_of_samples=0.88,
-      why="peeling takes the depth of the flat point, blending and opaque points that of the ball, as here; outlines are found once a pixel")
+@kind("point gaussians")
+def point_gaussians(stage):
+    stage.add(splats(emissive=False))
+
+
+@kind("point gaussians that are emissive")
+def emissive_gaussians(stage):
+    stage.add(splats(emissive=True))
+
+
+@kind("points as spheres", share_of_samples=0.9, why="outlines are found once a pixel")
 def points_as_spheres(stage):
     data = vtk.vtkPolyData()
     data.SetPoints(wavy(6).GetPoints())
@@ -283,8 +292,7 @@ def points_as_spheres(stage):
     stage.add(actor)
 
 
-@kind("lines as tubes", share=0.96, share_of_samples=0.94,
-      why="peeling takes the depth of the flat line, blending and opaque lines that of the tube, as here; outlines are found once a pixel")
+@kind("lines as tubes", share_of_samples=0.98, known=0.94, why="outlines are found once a pixel")
 def lines_as_tubes(stage):
     actor = look(mesh(apart(wavy(6))), (0.3, 0.6, 0.9), 0.5)
     actor.GetProperty().SetRepresentationToWireframe()
@@ -531,9 +539,6 @@ def hidden_line_removal(stage):
     stage.renderer.UseHiddenLineRemovalOn()
 
 
-TWICE = "peeling casts the ray of each part anew and takes the samples at both of its ends twice"
-
-
 def volume(mapper, center=(0, 0, 0)):
     source = vtk.vtkRTAnalyticSource()
     source.SetWholeExtent(-16, 16, -16, 16, -16, 16)
@@ -566,8 +571,8 @@ def ray_caster(**settings):
     return mapper
 
 
-def planes(stage):
-    for z, rgb in ((1, (0.3, 0.9, 0.4)), (-0.2, (0.9, 0.3, 0.9)), (-1.1, (0.9, 0.9, 0.2))):
+def planes(stage, places=(1, -0.2, -1.1)):
+    for z, rgb in zip(places, ((0.3, 0.9, 0.4), (0.9, 0.3, 0.9), (0.9, 0.9, 0.2))):
         plane = surface(vtk.vtkPlaneSource(), Center=(-0.3 + 0.3 * z, 0.1, z))
         look(plane, rgb, 0.5)
         stage.add(plane)
@@ -608,7 +613,7 @@ def volume_multi_block(stage):
     planes(stage)
 
 
-@kind("volume cut by clipping planes", share=0.99, why=TWICE)
+@kind("volume cut by clipping planes")
 def volume_clipped(stage):
     mapper = ray_caster()
     for normal in ((0.6, 0.2, -0.8), (-1, 0.3, 0)):
@@ -626,7 +631,7 @@ def volume_cropped(stage):
     planes(stage)
 
 
-@kind("volume, scaled and turned", share=0.99, why=TWICE)
+@kind("volume, scaled and turned")
 def volume_transformed(stage):
     prop = stage.add(volume(ray_caster()))
     prop.SetScale(1.2, 0.7, 0.9)
@@ -635,41 +640,48 @@ def volume_transformed(stage):
     planes(stage)
 
 
-@kind("volume with the camera inside of it", share=0.99, why=TWICE)
+@kind("volume with the camera inside of it")
 def volume_around_camera(stage):
     prop = stage.add(volume(ray_caster()))
     prop.SetScale(6)
     planes(stage)
 
 
-@kind("volume in parallel projection", share=0.99, why=TWICE)
+@kind("volume in parallel projection")
 def volume_parallel(stage):
     stage.renderer.GetActiveCamera().ParallelProjectionOn()
     stage.add(volume(ray_caster()))
     planes(stage)
 
 
-@kind("volume, maximum intensity", share=0.99, why=TWICE)
+def whole_volume(stage, blend_mode):
+    """What such a volume shows is no sum along the ray, of which slabs could draw a part: no surface reaches into it."""
+    prop = stage.add(volume(ray_caster(BlendMode=blend_mode)))
+    prop.SetScale(0.5)
+    planes(stage, (1, 0.85, -1.1))
+    stage.translucent[0].SetPosition(0, 0, 1)  # the ball
+    stage.undivided = (3.6, 4.75)
+    return prop
+
+
+@kind("volume, maximum intensity")
 def volume_maximum(stage):
-    stage.add(volume(ray_caster(BlendMode=vtk.vtkVolumeMapper.MAXIMUM_INTENSITY_BLEND)))
-    planes(stage)
+    whole_volume(stage, vtk.vtkVolumeMapper.MAXIMUM_INTENSITY_BLEND)
 
 
-@kind("volume, isosurfaces", share=0.99, why=TWICE)
+@kind("volume, isosurfaces")
 def volume_isosurfaces(stage):
-    prop = stage.add(volume(ray_caster(BlendMode=vtk.vtkVolumeMapper.ISOSURFACE_BLEND)))
+    prop = whole_volume(stage, vtk.vtkVolumeMapper.ISOSURFACE_BLEND)
     prop.GetProperty().GetIsoSurfaceValues().GenerateValues(3, 120, 240)
     prop.GetProperty().ShadeOn()
-    planes(stage)
 
 
-@kind("volume, a slice of it", share=0.8, share_of_samples=0.85, why="peeling draws the slice in each part of a ray, not only in the one that meets it")
+@kind("volume, a slice of it")
 def volume_slice(stage):
-    prop = stage.add(volume(ray_caster(BlendMode=vtk.vtkVolumeMapper.SLICE_BLEND)))
+    prop = whole_volume(stage, vtk.vtkVolumeMapper.SLICE_BLEND)
     plane = vtk.vtkPlane()
     plane.SetNormal(0.4, 0.3, 0.9)
     prop.GetProperty().SetSliceFunction(plane)
-    planes(stage)
 
 
 @kind("two volumes, one behind the other")
@@ -737,8 +749,7 @@ def mixed_opacity(stage):
     stage.add(actor)
 
 
-@kind("polygon offset and coincident topology", share_of_samples=0.9,
-      why="where the offset rounds away, surface and edges have equal depths, which peeling merges; lines are as wide in each of four pictures")
+@kind("polygon offset and coincident topology", share_of_samples=0.9, why="lines are as wide in each of the four pictures as in one")
 def coincident_topology(stage):
     data = apart(wavy(8))
     under = look(mesh(data), (0.4, 0.6, 0.8), 0.5)
@@ -747,13 +758,12 @@ def coincident_topology(stage):
     over.GetProperty().SetLineWidth(3)
     for actor in (under, over):
         actor.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
-    under.GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2)
+    under.GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 1000)  # by more than a slab
     stage.add(under)
     stage.add(over)
 
 
-@kind("deep: forty shells", share=0.99, share_of_adaptive=0.98,
-      why="80 fragments: peeling rounds 80 times to 8 bits; adaptive has 16 nodes")
+@kind("deep: forty shells", share=0.998, known=0.9, why="80 fragments: several share a slab")
 def deep(stage):
     for i in range(40):
         stage.add(sphere(0.1, (0.5 + 0.4 * math.sin(i), 0.5 + 0.4 * math.cos(2 * i), 0.5), (0.02 * i - 0.4, 0, 0),
@@ -850,14 +860,14 @@ def on_screen(stage):
     stage.window.OffScreenRenderingOff()
 
 
-@kind("window-to-image with scale 3", why="peeling leaves out a part of the back of the ball, which plain blending draws, too")
+@kind("window-to-image with scale 3")
 def scale_3(stage):
     stage.add(sphere())
     stage.scale = 3
 
 
 # ---------------------------------------------------------------------------------------------------------------------
-# On top of the passes. VTK's own drawing takes the same chain with its dual depth peeling in the place of the technique.
+# On top of the passes. The truth takes the same chain, with slabs in the place of the technique.
 
 
 def chained(stage, wrap):
@@ -870,10 +880,9 @@ def chained(stage, wrap):
         stage.keep.append(outer)
 
     stage.arrange = arrange
-    stage.needs_pass = True
 
 
-@kind("FXAA (vtkOpenGLFXAAPass)", share=0.999, share_of_samples=0, why="VTK's FXAA turns multi-sampled windows black, whatever draws in them; edges are found in pictures that differ by rounding")
+@kind("FXAA (vtkOpenGLFXAAPass)", share_of_samples=0, why="VTK's FXAA turns multi-sampled windows black, whatever draws in them")
 def fxaa(stage):
     chained(stage, lambda renderer: vtk.vtkOpenGLFXAAPass())
 
@@ -926,7 +935,6 @@ def ssao(stage):
         steps.SetOpaquePass(occlusion)
 
     stage.arrange = arrange
-    stage.needs_pass = True
 
 
 @kind("gamma: frames in sRGB")
