@@ -18,7 +18,11 @@ bool DrawsToOthers(vtkObjectBase* pass)
 
 void SetHooks(vtkInformation* keys, const std::vector<vtkObjectBase*>& hooks)
 {
-  keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+  // One by one: VTK does not release what it holds if the key goes as a whole.
+  for (int k = keys->Length(vtkOpenGLRenderPass::RenderPasses()) - 1; k >= 0; --k)
+  {
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), k);
+  }
   for (vtkObjectBase* hook : hooks)
   {
     keys->Append(vtkOpenGLRenderPass::RenderPasses(), hook);

@@ -13,6 +13,7 @@
 #include <vtkTranslucencyPass.h>
 #include <vtkTranslucencyVTKVersion.h>
 #include <vtkTranslucentPass.h>
+#include <vtkWeakPointer.h>
 
 #include <algorithm>
 #include <array>
@@ -283,5 +284,29 @@ TEST_F(TestChainsOfFallbacks, DrawWithinSSAO)
       }
       EXPECT_EQ(TakeMessages().size(), 1u) << "that it falls back";
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+using TestChainsInWindows = RenderTest;
+
+// The passes around are released with their window: what changes the props' keys while it draws holds nothing in the end.
+TEST_F(TestChainsInWindows, GoWithThem)
+{
+  for (const Chain& chain : Chains())
+  {
+    SCOPED_TRACE(chain.Name);
+    vtkWeakPointer<vtkRenderPass> outermost;
+    {
+      Room room(0);
+      vtkNew<ExchangeablePass> current;
+      current->Pass = NewTechnique("exact");
+      const vtkSmartPointer<vtkRenderPass> made = chain.Make(current);
+      outermost = made;
+      room.Renderer->SetPass(made);
+      room.Render();
+      room.Render();
+    }
+    EXPECT_EQ(outermost, nullptr);
   }
 }
