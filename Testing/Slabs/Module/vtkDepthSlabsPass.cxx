@@ -87,10 +87,7 @@ float WindowDepth(vtkCamera* camera, double distance)
 vtkDepthSlabsPass::vtkDepthSlabsPass() = default;
 
 //------------------------------------------------------------------------------
-vtkDepthSlabsPass::~vtkDepthSlabsPass()
-{
-  delete this->Quad;
-}
+vtkDepthSlabsPass::~vtkDepthSlabsPass() = default;
 
 //------------------------------------------------------------------------------
 void vtkDepthSlabsPass::PrintSelf(ostream& os, vtkIndent indent)
@@ -112,8 +109,7 @@ void vtkDepthSlabsPass::ReleaseGraphicsResources(vtkWindow* window)
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Framebuffer = nullptr;
   }
-  delete this->Quad;
-  this->Quad = nullptr;
+  this->Quad.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -122,60 +118,27 @@ void vtkDepthSlabsPass::Render(const vtkRenderState* s)
   this->NumberOfRenderedProps = 0;
   vtkRenderer* renderer = s->GetRenderer();
   auto window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkOpenGLState* state = window->GetState();
-  this->State = state;
-  int size[2];
-  int corner[2];
-  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+  this->State = window->GetState();
+  int area[4];
+  renderer->GetTiledSizeAndOrigin(&area[2], &area[3], &area[0], &area[1]);
   if (s->GetFrameBuffer())
   {
-    s->GetWindowSize(size);
-    corner[0] = corner[1] = 0;
+    s->GetWindowSize(area + 2);
+    area[0] = area[1] = 0;
   }
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blending(state);
-  if (!this->Framebuffer)
-  {
-    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->Framebuffer->SetContext(window);
-    state->PushFramebufferBindings();
-    this->Framebuffer->PopulateFramebuffer(size[0], size[1], true, 1, VTK_FLOAT, true, 32, 0); // bits: the ray caster copies the depth into the like
-    state->PopFramebufferBindings();
-  }
-  this->Framebuffer->Resize(size[0], size[1]);
-  this->Framebuffer->GetDepthAttachmentAsTextureObject()->CopyFromFrameBuffer(corner[0], corner[1], 0, 0, size[0], size[1]);
-  state->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  state->vtkglViewport(0, 0, size[0], size[1]);
-  state->vtkglScissor(0, 0, size[0], size[1]);
-  state->vtkglClearColor(0, 0, 0, 0);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  state->vtkglEnable(GL_BLEND);
-
-  vtkCamera* camera = renderer->GetActiveCamera();
-  double range[2];
-  camera->GetClippingRange(range);
+  const vtkOpenGLState::ScopedglViewport viewport(this->State);
+  const vtkOpenGLState::ScopedglScissor scissor(this->State);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate blending(this->State);
+  this->Begin(window, area);
   this->PreRender(s);
-  std::vector<double> borders{ -VTK_DOUBLE_MAX };
-  for (int border = 1; border < this->NumberOfSlabs; ++border)
-  {
-    const double golden = (std::sqrt(5.0) - 1) / 2; // no face that lies at a round depth lies between two slabs
-    const double distance = range[0] + (range[1] - range[0]) * (border - 1 + golden) / (this->NumberOfSlabs - 1);
-    if (distance <= this->Undivided[0] || distance >= this->Undivided[1])
-    {
-      borders.push_back(distance);
-    }
-  }
-  borders.push_back(VTK_DOUBLE_MAX);
-  const std::vector<Placed> all = Place(s, camera);
+  const std::vector<double> borders = this->GetBorders(renderer->GetActiveCamera());
+  const std::vector<Placed> all = Place(s, renderer->GetActiveCamera());
   const std::size_t slabs = borders.size() - 1;
   for (std::size_t i = 0; i < slabs; ++i)
   {
     const std::size_t slab = this->FrontToBack ? i : slabs - 1 - i;
-    this->Slab[0] = slab == 0 ? -1.0f : WindowDepth(camera, borders[slab]);
-    this->Slab[1] = slab == slabs - 1 ? 2.0f : WindowDepth(camera, borders[slab + 1]);
+    this->Slab[0] = slab == 0 ? -1.0f : WindowDepth(renderer->GetActiveCamera(), borders[slab]);
+    this->Slab[1] = slab == slabs - 1 ? 2.0f : WindowDepth(renderer->GetActiveCamera(), borders[slab + 1]);
     std::vector<vtkProp*> props;
     for (const Placed& one : all)
     {
@@ -191,16 +154,67 @@ void vtkDepthSlabsPass::Render(const vtkRenderState* s)
   }
   this->NumberOfRenderedProps = this->Surfaces->GetNumberOfRenderedProps() + this->Volumes->GetNumberOfRenderedProps();
   this->PostRender(s);
-  state->PopFramebufferBindings();
+  this->End(window, area);
+}
 
-  state->vtkglViewport(corner[0], corner[1], size[0], size[1]);
-  state->vtkglScissor(corner[0], corner[1], size[0], size[1]);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST);
-  state->vtkglDisable(GL_DEPTH_TEST);
+//------------------------------------------------------------------------------
+// Distances along the view, from the nearest to the farthest.
+std::vector<double> vtkDepthSlabsPass::GetBorders(vtkCamera* camera) const
+{
+  double range[2];
+  camera->GetClippingRange(range);
+  std::vector<double> borders{ -VTK_DOUBLE_MAX };
+  for (int border = 1; border < this->NumberOfSlabs; ++border)
+  {
+    const double golden = (std::sqrt(5.0) - 1) / 2; // no face that lies at a round depth lies between two slabs
+    const double distance = range[0] + (range[1] - range[0]) * (border - 1 + golden) / (this->NumberOfSlabs - 1);
+    if (distance <= this->Undivided[0] || distance >= this->Undivided[1])
+    {
+      borders.push_back(distance);
+    }
+  }
+  borders.push_back(VTK_DOUBLE_MAX);
+  return borders;
+}
+
+//------------------------------------------------------------------------------
+// Binds the empty sums, with the depth of what is opaque.
+void vtkDepthSlabsPass::Begin(vtkOpenGLRenderWindow* window, const int area[4])
+{
+  if (!this->Framebuffer)
+  {
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(window);
+    this->State->PushFramebufferBindings();
+    const int depthBits = 32; // the ray caster copies the depth into the like
+    this->Framebuffer->PopulateFramebuffer(area[2], area[3], true, 1, VTK_FLOAT, true, depthBits, 0);
+    this->State->PopFramebufferBindings();
+  }
+  this->Framebuffer->Resize(area[2], area[3]);
+  this->Framebuffer->GetDepthAttachmentAsTextureObject()->CopyFromFrameBuffer(area[0], area[1], 0, 0, area[2], area[3]);
+  this->State->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->State->vtkglViewport(0, 0, area[2], area[3]);
+  this->State->vtkglScissor(0, 0, area[2], area[3]);
+  this->State->vtkglClearColor(0, 0, 0, 0);
+  this->State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  this->State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  this->State->vtkglEnable(GL_BLEND);
+}
+
+//------------------------------------------------------------------------------
+// Blends the sums over what is opaque.
+void vtkDepthSlabsPass::End(vtkOpenGLRenderWindow* window, const int area[4])
+{
+  this->State->PopFramebufferBindings();
+  this->State->vtkglViewport(area[0], area[1], area[2], area[3]);
+  this->State->vtkglScissor(area[0], area[1], area[2], area[3]);
+  this->State->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const vtkOpenGLState::ScopedglEnableDisable test(this->State, GL_DEPTH_TEST);
+  this->State->vtkglDisable(GL_DEPTH_TEST);
   if (!this->Quad)
   {
-    this->Quad = new vtkOpenGLQuadHelper(window, nullptr,
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr,
       "//VTK::System::Dec\n"
       "//VTK::Output::Dec\n"
       "in vec2 texCoord;\n"

@@ -24,8 +24,13 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
+#include <vector>
+
+class vtkCamera;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkTranslucentPass;
 class vtkVolumetricPass;
@@ -74,6 +79,10 @@ private:
   vtkDepthSlabsPass(const vtkDepthSlabsPass&) = delete;
   void operator=(const vtkDepthSlabsPass&) = delete;
 
+  std::vector<double> GetBorders(vtkCamera* camera) const;
+  void Begin(vtkOpenGLRenderWindow* window, const int area[4]);
+  void End(vtkOpenGLRenderWindow* window, const int area[4]);
+
   int NumberOfSlabs = 128;
   bool FrontToBack = false;
   double Undivided[2] = { 0, 0 };
@@ -83,7 +92,7 @@ private:
   vtkNew<vtkTranslucentPass> Surfaces;
   vtkNew<vtkVolumetricPass> Volumes;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkOpenGLQuadHelper* Quad = nullptr;
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 
 #endif
