@@ -85,9 +85,21 @@ TEST_P(TestChains, FramesAreAlikeAndAsBlending)
   vtkNew<ExchangeablePass> current;
   room.Renderer->SetPass(chain.Make(current));
   current->Pass = vtkSmartPointer<FirstAttachmentPass>::New();
-  room.ShowOthers(false);
+  // With zink, VTK's shadows are those of the frame before, in multi-sampled windows, whatever draws what is translucent.
+  room.ShowOthers(true);
   room.Render();
+  room.ShowOthers(false);
+  const Picture changed = room.Render();
   const Picture blended = room.Render();
+  const bool late = Compare(changed, blended).Largest > 0;
+  const auto show = [&room, late](bool others)
+  {
+    room.ShowOthers(others);
+    if (late)
+    {
+      room.Render();
+    }
+  };
   for (const std::string& name : OwnTechniques())
   {
     SCOPED_TRACE(name);
@@ -96,13 +108,13 @@ TEST_P(TestChains, FramesAreAlikeAndAsBlending)
       continue;
     }
     current->Pass = NewTechnique(name);
-    room.ShowOthers(false);
+    show(false);
     const PictureDifference difference = Compare(room.Render(), blended);
     if (BlendsOneSurface(name))
     {
       EXPECT_LE(difference.Largest, chain.Bound) << difference;
     }
-    room.ShowOthers(true);
+    show(true);
     const Picture first = room.Render();
     for (int frame = 1; frame < 4; ++frame)
     {
