@@ -73,8 +73,8 @@ protected:
 
 struct vtkTranslucencyPass::Internals
 {
-  /// Deletes all OpenGL objects if their window is given, and forgets them if not.
-  void Release(vtkOpenGLRenderWindow* window);
+  /// Deletes all OpenGL objects, or forgets them, if their context is gone.
+  void Release(bool alive);
 
   // The window and the context in it that the OpenGL objects belong to, and what that can do.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

@@ -176,15 +176,16 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
     owner->PushContext();
   }
   this->ReleaseTechniqueResources(alive);
-  kept.Release(alive ? owner : nullptr);
-  if (this->TranslucentPass && window)
+  // VTK's passes want their window, also one that is about to go and has lost its weak pointers: not all that they have follows it.
+  for (vtkRenderPass* pass : { static_cast<vtkRenderPass*>(this->TranslucentPass), this->VolumetricPass,
+         static_cast<vtkRenderPass*>(kept.Peeling), static_cast<vtkRenderPass*>(kept.Steps) })
   {
-    this->TranslucentPass->ReleaseGraphicsResources(window);
+    if (pass && window)
+    {
+      pass->ReleaseGraphicsResources(window);
+    }
   }
-  if (this->VolumetricPass && window)
-  {
-    this->VolumetricPass->ReleaseGraphicsResources(window);
-  }
+  kept.Release(alive);
   if (alive)
   {
     owner->PopContext();
@@ -192,9 +193,8 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
+void vtkTranslucencyPass::Internals::Release(bool alive)
 {
-  const bool alive = window != nullptr;
   this->FrameBlock.Release(alive);
   this->StatisticsBlock.Release(alive);
   this->SampleColors.Release(alive);
@@ -213,15 +213,7 @@ void vtkTranslucencyPass::Internals::Release(vtkOpenGLRenderWindow* window)
   // VTK's own objects follow their window by themselves.
   this->OpaqueDepth = nullptr;
   this->OpaqueFramebuffer = nullptr;
-  if (this->Peeling && alive)
-  {
-    this->Peeling->ReleaseGraphicsResources(window);
-  }
   this->Peeling = nullptr;
-  if (this->Steps && alive)
-  {
-    this->Steps->ReleaseGraphicsResources(window);
-  }
   this->Window = nullptr;
   this->Context = nullptr;
 }

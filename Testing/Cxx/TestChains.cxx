@@ -58,6 +58,7 @@ public:
   vtkTypeMacro(ExchangeablePass, vtkRenderPass);
 
   void Render(const vtkRenderState* state) override { this->Pass->Render(state); }
+  void ReleaseGraphicsResources(vtkWindow* window) override { this->Pass->ReleaseGraphicsResources(window); }
 
   vtkSmartPointer<vtkRenderPass> Pass;
 };
