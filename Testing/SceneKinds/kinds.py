@@ -812,6 +812,8 @@ def viewports(stage):
     stage.renderer.SetViewport(0, 0, 0.5, 0.8)
     stage.add(sphere())
     other = stage.add_renderer((0.5, 0.2, 1, 1))
+    stage.add_renderer((0, 0.8, 0.5, 1))  # what no renderer clears is whatever it was
+    stage.add_renderer((0.5, 0, 1, 0.2))
     other.SetActiveCamera(stage.renderer.GetActiveCamera())
     stage.companions(other)
     stage.add(sphere(0.4, (0.8, 0.2, 0.5)), other)
