@@ -432,6 +432,22 @@ TEST_P(TestVisibility, CorrectsAsTheReferenceDoes)
 }
 
 //------------------------------------------------------------------------------
+TEST_P(TestVisibility, CorrectedHidesNothingMore)
+{
+  EXPECT_TRUE(rc::check("before it is scaled, each fragment is seen as well as without, coincident ones, too",
+    []
+    {
+      const std::vector<Step> steps = *rc::gen::oneOf(Steps(), ExactSteps());
+      const std::vector<double> corrected = CorrectedWeights(GetParam(), steps);
+      const std::vector<double> paper = Weights(GetParam(), steps);
+      for (std::size_t i = 0; i < steps.size(); ++i)
+      {
+        RC_ASSERT(corrected[i] >= paper[i] - Rounding);
+      }
+    }));
+}
+
+//------------------------------------------------------------------------------
 TEST_P(TestVisibility, EstimatesItsErrorAsTheReferenceDoes)
 {
   EXPECT_TRUE(rc::check("the same estimate, where single precision is exact; 0 if nothing was removed",

@@ -33,10 +33,10 @@ Channels visibilityBetween(Channels before, Channels behind, Channels opacity)
 Channels visibilityAt(INOUT(Visibility) v, float depth, Channels opacity, bool removed)
 {
   Channels behind = transmittanceBefore(v, depth);
-  Channels before = Channels(1.0f); // the node in front; the same as behind it, if the next node is the fragment's own
+  Channels before = Channels(1.0f); // the node in front; no more than behind it, if nodes at this depth are the fragment's own and those that coincide with it
 #define FIND_BEFORE_NODE(k) before = v.z[(k) + 1] <= depth ? v.t[k] : before;
   EACH_NODE(FIND_BEFORE_NODE)
-  return WEIGHS_BY_MEANS && removed ? visibilityBetween(before, behind, opacity) : behind;
+  return WEIGHS_BY_MEANS && removed ? visibilityBetween(max(before, behind), behind, opacity) : behind;
 }
 
 #endif
