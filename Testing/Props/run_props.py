@@ -17,6 +17,7 @@ from kinds import Stage, look, surface
 from props import NOT_DRAWN, RECIPES, get_unlisted, make, prop_classes
 from run_kind import distances, read, write
 
+VTK_OF_TABLE = (9, 1)  # others have other classes, and change how they are reached; what they draw is compared all the same
 SIZE = (120, 100)
 SLABS = 256
 COLUMNS = {0: ("exact", "peel", "adaptive"), 4: ("exact",)}  # techniques by samples
@@ -166,12 +167,15 @@ def check(rows, file):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group(required=True)
-    action.add_argument("--check", metavar="FILE", help="fail if this table is not as the test has it")
+    action.add_argument("--check", metavar="FILE", help="fail if this table, of the VTK that it was made with, is not as the test has it")
     action.add_argument("--table", metavar="FILE", help="write the table")
     parser.add_argument("--pictures", metavar="FOLDER", type=pathlib.Path, default=pathlib.Path("."), help="where those go that are wrong")
     parser.add_argument("names", metavar="CLASS", nargs="*", help="draw these only, and check and write no table")
     arguments = parser.parse_args()
-    wrong = [] if arguments.names else get_unlisted()
+    listed = not arguments.names and (vtk.vtkVersion.GetVTKMajorVersion(), vtk.vtkVersion.GetVTKMinorVersion()) == VTK_OF_TABLE
+    if not listed:
+        print("drawn and compared only: the list of classes and the table are those of VTK", *VTK_OF_TABLE)
+    wrong = get_unlisted() if listed else []
     scenes = {samples: Scene(samples) for samples in BOUND}
     rows = []
     present = prop_classes()
@@ -182,7 +186,7 @@ def main():
         rows.append(row)
     if arguments.table and not arguments.names:
         pathlib.Path(arguments.table).write_text(HEAD + "\n" + "\n".join(table(rows)) + "\n")
-    elif not arguments.names:
+    elif listed:
         wrong += check(rows, arguments.check)
     print(*wrong, sep="\n", file=sys.stderr)
     sys.exit(1 if wrong else 0)
