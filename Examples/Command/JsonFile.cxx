@@ -35,13 +35,20 @@ Json Parse(const std::string& file, const std::string& what)
   }
 }
 
+// A step of a place: [actors], or with newer versions of valijson ["actors"].
+std::string KeyOf(const std::string& step)
+{
+  const std::size_t decoration = step[1] == '"' ? 2 : 1;
+  return step.substr(decoration, step.size() - 2 * decoration);
+}
+
 // The place "<root>[actors][0]" as a JSON pointer.
 Json::json_pointer PointerTo(const std::vector<std::string>& place)
 {
   Json::json_pointer pointer;
   for (std::size_t i = 1; i < place.size(); ++i)
   {
-    pointer /= place[i].substr(1, place[i].size() - 2);
+    pointer /= KeyOf(place[i]);
   }
   return pointer;
 }
@@ -82,8 +89,7 @@ const Json& RuleOf(const Json& schema, const std::vector<std::string>& place)
   const Json* rule = &schema;
   for (std::size_t i = 1; i < place.size(); ++i)
   {
-    const std::string key = place[i].substr(1, place[i].size() - 2);
-    rule = rule->contains("items") ? &rule->at("items") : &rule->at("properties").at(key);
+    rule = rule->contains("items") ? &rule->at("items") : &rule->at("properties").at(KeyOf(place[i]));
     if (rule->contains("$ref"))
     {
       rule = &schema.at(Json::json_pointer(rule->at("$ref").get<std::string>().substr(1)));
