@@ -30,12 +30,12 @@ constexpr double BytesOfBlocks = 4096;
 // The header's table.
 const std::vector<vtkTechniqueChooser::Candidate> Candidates{
   { "exact", 0, 1, 16, 4 + BytesOfSquares, 0, 8 },
-  { "adaptive:nodes=16", 0.00014, 0.95, 16, 4 + BytesOfSquares, 0, 8 },
-  { "hybrid:layers=16", 0.00059, 4.7, 0, BytesOfSquares, 216, 0 },
-  { "adaptive:nodes=8", 0.00122, 0.95, 16, 4 + BytesOfSquares, 0, 8 },
-  { "hybrid:layers=8", 0.00204, 4.3, 0, BytesOfSquares, 120, 0 },
-  { "hybrid:layers=4", 0.00813, 3.4, 0, BytesOfSquares, 72, 0 },
-  { "weighted", 0.0422, 0.5, 0, BytesOfSquares, 20, 0 },
+  { "adaptive:nodes=16", 0.00014, 0.98, 16, 4 + BytesOfSquares, 0, 8 },
+  { "hybrid:layers=16", 0.00059, 3.6, 0, BytesOfSquares, 216, 0 },
+  { "adaptive:nodes=8", 0.00122, 1.1, 16, 4 + BytesOfSquares, 0, 8 },
+  { "hybrid:layers=8", 0.00204, 1.2, 0, BytesOfSquares, 120, 0 },
+  { "hybrid:layers=4", 0.00813, 0.8, 0, BytesOfSquares, 72, 0 },
+  { "weighted", 0.0422, 0.4, 0, BytesOfSquares, 20, 0 },
 };
 
 // "adaptive:nodes=8"
