@@ -124,3 +124,10 @@ std::vector<std::string> TakeGLErrors()
   }
   return errors;
 }
+
+//------------------------------------------------------------------------------
+bool IsZink()
+{
+  const std::string driver = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return driver.rfind("zink", 0) == 0;
+}

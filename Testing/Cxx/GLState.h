@@ -16,4 +16,7 @@ GLState QueryGLState();
 /// The errors that the context that is current has kept, and forgets now.
 std::vector<std::string> TakeGLErrors();
 
+/// Whether zink draws: for what it can't do (Documentation/Drivers.md).
+bool IsZink();
+
 #endif

@@ -174,7 +174,7 @@ def main():
     arguments = parser.parse_args()
     listed = not arguments.names and (vtk.vtkVersion.GetVTKMajorVersion(), vtk.vtkVersion.GetVTKMinorVersion()) == VTK_OF_TABLE
     if not listed:
-        print("drawn and compared only: the list of classes and the table are those of VTK", *VTK_OF_TABLE)
+        print("drawn and compared only: the list of classes and the table are all of VTK", ".".join(map(str, VTK_OF_TABLE)))
     wrong = get_unlisted() if listed else []
     scenes = {samples: Scene(samples) for samples in BOUND}
     rows = []

@@ -127,7 +127,7 @@ class Truth:
             pictures.append(mean([scene.draw(position) for position in SAMPLE_POSITIONS[samples]]))
         self.picture = pictures[0]
         self.known = distances(*pictures) <= BOUND[1]
-        known = numpy.mean(self.known);
+        known = numpy.mean(self.known)
         assert known >= scene.kind.known, f"with {samples} samples {known:.2%} of the pixels don't depend on the order within slabs, expected {scene.kind.known:.0%}"
 
     def compare(self, drawn):
@@ -201,7 +201,7 @@ HEAD = """# Kinds of scenes
 
 What the techniques draw, beside plain blending in thin slabs of depth, from the farthest to the nearest: the share of the pixels that are within 3/255 of it with
 one sample a pixel, and within 8/255 of the mean of four such pictures with four samples, and the largest difference where that is not all of them. Slabs need no
-technique: nothing is stored, sorted or peeled. Pixels in which the order within a slab matters are left out: two surfaces cross there (at most 5 % of them, 10 % of the
+technique: nothing is stored, sorted or peeled. Pixels in which the order within a slab matters are left out: two surfaces cross there (at most 6 % of them, 10 % of the
 deep ones). With four samples, edges are the same, but what is shaded once a pixel is shaded at another place in each of the four pictures. Made by the tests:
 `Testing/SceneKinds` and `Testing/Slabs`.
 """

@@ -29,11 +29,6 @@ vtkStandardNewMacro(vtkDepthSlabsPass);
 
 namespace
 {
-void Substitute(std::string& source, const std::string& what, const std::string& by)
-{
-  vtkShaderProgram::Substitute(source, what, by);
-}
-
 // A prop and between which distances along the view it lies: anywhere, if it does not say where.
 struct Placed
 {
@@ -131,14 +126,15 @@ void vtkDepthSlabsPass::Render(const vtkRenderState* s)
   const vtkOpenGLState::ScopedglBlendFuncSeparate blending(this->State);
   this->Begin(window, area);
   this->PreRender(s);
-  const std::vector<double> borders = this->GetBorders(renderer->GetActiveCamera());
-  const std::vector<Placed> all = Place(s, renderer->GetActiveCamera());
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const std::vector<double> borders = this->GetBorders(camera);
+  const std::vector<Placed> all = Place(s, camera);
   const std::size_t slabs = borders.size() - 1;
   for (std::size_t i = 0; i < slabs; ++i)
   {
     const std::size_t slab = this->FrontToBack ? i : slabs - 1 - i;
-    this->Slab[0] = slab == 0 ? -1.0f : WindowDepth(renderer->GetActiveCamera(), borders[slab]);
-    this->Slab[1] = slab == slabs - 1 ? 2.0f : WindowDepth(renderer->GetActiveCamera(), borders[slab + 1]);
+    this->Slab[0] = slab == 0 ? -1.0f : WindowDepth(camera, borders[slab]);
+    this->Slab[1] = slab == slabs - 1 ? 2.0f : WindowDepth(camera, borders[slab + 1]);
     std::vector<vtkProp*> props;
     for (const Placed& one : all)
     {
@@ -236,7 +232,7 @@ bool vtkDepthSlabsPass::PreReplaceShaderValues(std::string&, std::string&, std::
 {
   if (vtkVolume::SafeDownCast(prop))
   {
-    Substitute(fragmentShader, "//VTK::DepthPeeling::Dec",
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec",
       "vec4 WindowToNDC(const float xCoord, const float yCoord, const float zCoord);\n"
       "uniform vec2 slab;\n"
       "float slabEnd; // the number of the ray's first sample behind the slab\n"
@@ -247,14 +243,14 @@ bool vtkDepthSlabsPass::PreReplaceShaderValues(std::string&, std::string&, std::
       "    WindowToNDC(gl_FragCoord.x, gl_FragCoord.y, depth);\n"
       "  return dot(point.xyz / point.w - first, step) / dot(step, step);\n"
       "}\n");
-    Substitute(fragmentShader, "//VTK::DepthPeeling::Ray::Init",
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Ray::Init",
       "slabEnd = slab.y > 1.0 ? 1.0e9 : slabSamplesTo(slab.y, g_dataPos, g_dirStep);\n"
       "  slabSample = slab.x < 0.0 ? 0.0 : max(0.0, ceil(slabSamplesTo(slab.x, g_dataPos, g_dirStep)));\n"
       "  g_dataPos += slabSample * g_dirStep;\n"
       "  g_currentT += slabSample;\n"
       "  g_exit = slabSample > 0.0 && (slabSample > g_terminatePointMax + 1.0 ||\n"
       "    any(lessThan(g_dataPos, in_texMin[0])) || any(greaterThan(g_dataPos, in_texMax[0])));\n");
-    Substitute(fragmentShader, "//VTK::PreComputeGradients::Impl",
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::PreComputeGradients::Impl",
       "if (slabSample >= slabEnd) { break; }\n"
       "    slabSample += 1.0;\n"
       "    //VTK::PreComputeGradients::Impl");
@@ -271,9 +267,9 @@ bool vtkDepthSlabsPass::PostReplaceShaderValues(std::string&, std::string&, std:
     const bool setsDepth = std::regex_search(fragmentShader, assignment);
     const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
     const std::string reject = "if (" + depth + " < slab.x || " + depth + " >= slab.y) { discard; }\n";
-    Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", "uniform vec2 slab;\nuniform float slabHides;\n");
-    Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor", setsDepth ? "" : reject);
-    Substitute(fragmentShader, "//VTK::DepthPeeling::Impl", 
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", "uniform vec2 slab;\nuniform float slabHides;\n");
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor", setsDepth ? "" : reject);
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
       (setsDepth ? reject : "") + "gl_FragData[0] *= vec4(vec3(gl_FragData[0].a), slabHides);\n");
   }
   return true;
