@@ -168,7 +168,9 @@ std::string vtkAdaptiveTransparencyPass::GetMissing(vtkOpenGLRenderWindow* windo
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::Defines vtkAdaptiveTransparencyPass::GetDefines(int nodes) const
 {
-  return { { "NODE_COUNT", std::to_string(nodes) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } };
+  vtkTranslucencyFrame::Defines defines = this->GetCorrection();
+  defines.insert({ { "NODE_COUNT", std::to_string(nodes) }, { "NODE_REMOVAL", Removals[this->NodeRemoval] } });
+  return defines;
 }
 
 //------------------------------------------------------------------------------
@@ -217,7 +219,6 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
     inputs.push_back({ "gatheredWeights", &this->Colors, 1 });
   }
   vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, static_cast<int>(sums.size()) };
-  gathering.Values.merge(this->GetCorrection());
   gathering.Critical = true;
   const vtkTranslucencyFrame::Stage visibility;
   vtkTranslucencyFrame::Stage shading;
@@ -268,7 +269,6 @@ bool vtkAdaptiveTransparencyPass::ResolveLists(vtkTranslucencyFrame& frame)
     return this->ResolveToTolerance(frame, rest) && this->ResolveExactly(frame);
   }
   vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
-  defines.merge(this->GetCorrection());
   defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(TechniqueMore) }, { "UNFINISHED_LEVEL", LevelText(Long) },
     { "TOLERANCE", "0" }, { "SHOW", Shows[this->Show] } });
   if (!frame.Resolve("Adaptive/Resolve.glsl", defines, rest, this->GetWhite()))
@@ -300,7 +300,6 @@ bool vtkAdaptiveTransparencyPass::ResolveToTolerance(vtkTranslucencyFrame& frame
   {
     const bool last = nodes == MostNodes;
     vtkTranslucencyFrame::Defines defines = this->GetDefines(nodes);
-    defines.merge(this->GetCorrection());
     defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(Long) }, { "UNFINISHED_LEVEL", LevelText(Long) },
       { "TOLERANCE", "1" }, { "FINER_LEVEL", LevelText(last ? Long : finer) }, { "SHOW", Shows[this->Show] } });
     if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left, uniforms))

@@ -13,9 +13,9 @@
  * | technique         | memory                   | rectangles | spheres | frog  | time |
  * | ----------------- | ------------------------ | ---------- | ------- | ----- | ---- |
  * | exact             | 16 a fragment, 4 a pixel (1) | 0      | 0       | 0     | 1    |
- * | adaptive:nodes=16 | as exact                 | 0.014      | 0.026   | 0.001 | 0.98 |
+ * | adaptive:nodes=16 | as exact                 | 0.015      | 0.026   | 0.001 | 0.98 |
  * | hybrid:layers=16  | 216 a pixel              | 0.076      | 0.069   | 0.031 | 3.6  |
- * | adaptive:nodes=8  | as exact                 | 0.155      | 0.174   | 0.036 | 1.1  |
+ * | adaptive:nodes=8  | as exact                 | 0.151      | 0.174   | 0.032 | 1.1  |
  * | hybrid:layers=8   | 120 a pixel              | 0.343      | 0.223   | 0.046 | 1.2  |
  * | hybrid:layers=4   | 72 a pixel               | 1.12       | 0.99    | 0.33  | 0.8  |
  * | weighted          | 20 a pixel               | 3.07       | 5.73    | 3.85  | 0.4  |

@@ -20,9 +20,10 @@ Color Pixel::Over(const Color& opaque) const
 }
 
 //------------------------------------------------------------------------------
-VisibilityFunction::VisibilityFunction(int nodeCount, Removal removal, std::vector<Node> nodes)
+VisibilityFunction::VisibilityFunction(int nodeCount, Removal removal, bool corrected, std::vector<Node> nodes)
   : NodeCount(static_cast<std::size_t>(nodeCount))
   , Rule(removal)
+  , Corrected(corrected)
   , Nodes(std::move(nodes))
 {
 }
@@ -56,14 +57,18 @@ void VisibilityFunction::Insert(double depth, double alpha)
 void VisibilityFunction::RemoveOne()
 {
   const std::size_t last = this->Nodes.size() - 1;
+  const double wider = this->Corrected ? (this->Nodes[last].Depth - this->Nodes[0].Depth) / 256 : 0;
   double least = std::numeric_limits<double>::infinity();
+  double area = 0;
   std::size_t removed = 0;
   bool lowersPrevious = false;
-  const auto consider = [&](double area, std::size_t node, bool lowers)
+  const auto consider = [&](double step, double width, std::size_t node, bool lowers)
   {
-    if (area < least)
+    const double loss = step * (width + wider);
+    if (loss < least)
     {
-      least = area;
+      least = loss;
+      area = step * width;
       removed = node;
       lowersPrevious = lowers;
     }
@@ -73,14 +78,14 @@ void VisibilityFunction::RemoveOne()
     const double step = this->AfterNodes(j) - this->Nodes[j].Transmittance;
     if (this->Rule != Removal::Overestimate && j > 0)
     {
-      consider(step * (this->Nodes[j].Depth - this->Nodes[j - 1].Depth), j, true);
+      consider(step, this->Nodes[j].Depth - this->Nodes[j - 1].Depth, j, true);
     }
     if (this->Rule != Removal::Underestimate && j < last)
     {
-      consider(step * (this->Nodes[j + 1].Depth - this->Nodes[j].Depth), j, false);
+      consider(step, this->Nodes[j + 1].Depth - this->Nodes[j].Depth, j, false);
     }
   }
-  this->Lost += least;
+  this->Lost += area;
   if (lowersPrevious)
   {
     this->Nodes[removed - 1].Transmittance = this->Nodes[removed].Transmittance;
@@ -213,7 +218,7 @@ static void Correct(Pixel& pixel, double weights)
 //------------------------------------------------------------------------------
 Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected, double levels)
 {
-  VisibilityFunction visibility(nodeCount, removal);
+  VisibilityFunction visibility(nodeCount, removal, corrected);
   for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
   {
     visibility.Insert(fragment->Depth, fragment->Alpha);

@@ -54,7 +54,9 @@ struct Node
 class VisibilityFunction
 {
 public:
-  VisibilityFunction(int nodeCount, Removal removal, std::vector<Node> nodes = {});
+  /// Corrected: as with alpha correction, each rectangle that a removal may lose counts as wider by 1/256 of the distance from the first node to
+  /// the last.
+  VisibilityFunction(int nodeCount, Removal removal, bool corrected = true, std::vector<Node> nodes = {});
 
   /// Multiplies with the step of a fragment (Eq. 5), behind the nodes of the same depth; removes a node (Eq. 7) if there
   /// are then too many.
@@ -86,6 +88,7 @@ private:
 
   std::size_t NodeCount;
   Removal Rule;
+  bool Corrected;
   std::vector<Node> Nodes;
   double Lost = 0;
   double Nearest = 1;

@@ -378,6 +378,35 @@ INSTANTIATE_TEST_SUITE_P(Adaptive, TestCorrectedPictures,
   [](const auto& info) { return std::to_string(info.param.Fragments); });
 
 //------------------------------------------------------------------------------
+// By areas alone a cluster loses all nodes but one, if it is inserted after what lies far apart: 44 of 255, instead of 2.
+TEST_F(TestAlphaCorrection, KeepsNodesOfNearlyCoincidentSurfaces)
+{
+  AnalyticScene scene = RandomMosaic(60, 45, 15, 20, 0.02, 0.1);
+  const AnalyticScene cluster = RandomMosaic(60, 45, 16, 20, 0.3, 0.6);
+  for (std::size_t i = 0; i < cluster.Translucent.size(); ++i)
+  {
+    scene.Translucent.push_back(cluster.Translucent[i]);
+    for (Rectangle& rectangle : scene.Translucent.back())
+    {
+      rectangle.Depth = 0.25 + static_cast<double>(7 * i % 20) / 65536;
+    }
+  }
+  AnalyticScene reversed = scene;
+  std::reverse(reversed.Translucent.begin(), reversed.Translucent.end());
+  const Picture exact = scene.Compute(Reference::CompositeExact);
+  for (int samples : { 0, 4 })
+  {
+    for (const auto& [inserted, memory] : { std::pair(&scene, Adaptive::Fixed), std::pair(&reversed, Adaptive::Variable) })
+    {
+      SCOPED_TRACE(std::to_string(samples) + " " + std::to_string(memory));
+      View view(*inserted, samples);
+      EXPECT_LE(Compare(DrawCorrected(view, memory, 16, true), exact).Largest, 2.5);
+      EXPECT_GT(Compare(DrawCorrected(view, memory, 16, false), exact).Largest, 25);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_F(TestAlphaCorrection, OfSurfacesIsNearerToExact)
 {
   View view(100, 75);

@@ -132,8 +132,9 @@ struct ColoredNode
   Reference::Color Transmittance; // behind it
 };
 
-// Eq. 5 for each channel, and Eq. 7 with the mean of the three steps; the step that goes moves to the nearer node (Figure 4).
-void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::size_t most)
+// Eq. 5 for each channel, and Eq. 7 with the mean of the three steps; the step that goes moves to the nearer node (Figure 4). Corrected: widths count
+// as wider by 1/256 of the distance from the first node to the last.
+void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::size_t most, bool corrected)
 {
   const auto place = std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth > rectangle.Depth; });
   const Reference::Color before = place == nodes.begin() ? Reference::Color{ { 1, 1, 1 } } : std::prev(place)->Transmittance;
@@ -149,19 +150,20 @@ void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::si
   {
     return;
   }
-  const auto area = [&nodes](std::size_t k)
+  const double wider = corrected ? (nodes.back().Depth - nodes.front().Depth) / 256 : 0;
+  const auto loss = [&nodes, wider](std::size_t k)
   {
     double step = 0;
     for (std::size_t c = 0; c < 3; ++c)
     {
       step += (nodes[k - 1].Transmittance[c] - nodes[k].Transmittance[c]) / 3;
     }
-    return step * (nodes[k].Depth - nodes[k - 1].Depth);
+    return step * (nodes[k].Depth - nodes[k - 1].Depth + wider);
   };
   std::size_t least = 1;
   for (std::size_t k = 2; k < nodes.size(); ++k)
   {
-    least = area(k) < area(least) ? k : least;
+    least = loss(k) < loss(least) ? k : least;
   }
   nodes[least - 1].Transmittance = nodes[least].Transmittance;
   nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(least));
@@ -181,7 +183,7 @@ AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst, bo
     std::vector<ColoredNode> nodes;
     for (const Rectangle& rectangle : covering)
     {
-      Insert(nodes, rectangle, nodeCount);
+      Insert(nodes, rectangle, nodeCount, corrected);
     }
     const bool correct = corrected && covering.size() > nodeCount;
     Reference::Color color = opaque;

@@ -1,6 +1,6 @@
 /**
- * Module/Shaders/Adaptive, compiled as C++: the text that the GPU runs, once for each number of nodes and rule of removal
- * that CMakeLists.txt lists.
+ * Module/Shaders/Adaptive, compiled as C++: the text that the GPU runs, once for each number of nodes, rule of removal
+ * and with or without alpha correction, as CMakeLists.txt lists.
  */
 #ifndef VisibilityShader_h
 #define VisibilityShader_h
@@ -43,6 +43,7 @@ struct VisibilityVariant
 {
   int NodeCount;
   Reference::Removal Rule;
+  bool Corrected;
   std::unique_ptr<VisibilityShader> (*New)();
 
   std::string GetName() const;

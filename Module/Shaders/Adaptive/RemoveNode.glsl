@@ -11,11 +11,16 @@
 //
 // With three channels (Common/Channels.glsl) nodes have three transmittances and common depths; the area is the mean of the three.
 //
+// The paper removes the node whose area is least. An area is what vis is off by where fragments could lie, at any depth alike. But fragments
+// lie at nodes, and one whose node goes is seen through the wrong transmittance however thin the rectangle is: of many nearly coincident ones,
+// areas remove all nodes but one, whatever these hide. So with ALPHA_CORRECTION 1 every rectangle counts as wider than it is, by 1/256 of the
+// distance from the first node to the last (Documentation/Adaptive.md). A power of two: products of such widths stay exact.
+//
 // ESTIMATE_ERROR 1: the areas that were lost are summed.
 //
-// REMOVAL_LOSS(step, width): what is lost, if it is not the area (scripts/document-adaptive has tried others).
+// REMOVAL_LOSS(step, width) and REMOVAL_WIDER: other losses, and other parts of that distance (scripts/document-adaptive has tried some).
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, TRANSMITTANCE_CHANNELS.  Gives: Visibility, removeNode.
+// Needs: NODE_COUNT, NODE_REMOVAL, ALPHA_CORRECTION, TRANSMITTANCE_CHANNELS.  Gives: Visibility, removeNode.
 #ifndef RemoveNode_glsl
 #define RemoveNode_glsl
 #include "Adaptive/EachNode.glsl"
@@ -24,6 +29,9 @@
 #ifndef NODE_REMOVAL
 #error "RemoveNode.glsl needs NODE_REMOVAL"
 #endif
+#ifndef ALPHA_CORRECTION
+#error "RemoveNode.glsl needs ALPHA_CORRECTION"
+#endif
 
 #define NODE_REMOVAL_UNDERESTIMATE 0
 #define NODE_REMOVAL_OVERESTIMATE 1
@@ -31,6 +39,13 @@
 #define NODE_EMPTY 2.0f // behind every window depth
 #ifndef REMOVAL_LOSS
 #define REMOVAL_LOSS(step, width) ((step) * (width))
+#endif
+#ifndef REMOVAL_WIDER
+#if ALPHA_CORRECTION
+#define REMOVAL_WIDER (1.0f / 256.0f)
+#else
+#define REMOVAL_WIDER 0.0f
+#endif
 #endif
 #ifndef ESTIMATE_ERROR
 #define ESTIMATE_ERROR 0
@@ -49,34 +64,47 @@ struct Visibility
 };
 
 // What goes: node `depth`'s depth, and one transmittance: that of node depth - 1 (underestimate) or of the node itself
-// (overestimate). area is what that loses.
+// (overestimate). loss is what decides.
 struct Removal
 {
+  float loss;
+#if ESTIMATE_ERROR
   float area;
+#endif
   int depth;
 #if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
   int transmittance;
 #endif
 };
 
-void considerNode(INOUT(Visibility) v, INOUT(Removal) least, int k)
+#if ESTIMATE_ERROR
+#define KEEP_AREA(less, step, width) least.area = (less) ? (step) * (width) : least.area;
+#else
+#define KEEP_AREA(less, step, width)
+#endif
+
+void considerNode(INOUT(Visibility) v, INOUT(Removal) least, float wider, int k)
 {
   float step = meanOf(v.t[k - 1] - v.t[k]);
 #if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
-  float under = REMOVAL_LOSS(step, v.z[k] - v.z[k - 1]);
-  least.depth = under < least.area ? k : least.depth;
+  float nearer = v.z[k] - v.z[k - 1];
+  float under = REMOVAL_LOSS(step, nearer + wider);
+  least.depth = under < least.loss ? k : least.depth;
 #if NODE_REMOVAL == NODE_REMOVAL_MIXED
-  least.transmittance = under < least.area ? k - 1 : least.transmittance;
+  least.transmittance = under < least.loss ? k - 1 : least.transmittance;
 #endif
-  least.area = min(under, least.area);
+  KEEP_AREA(under < least.loss, step, nearer)
+  least.loss = min(under, least.loss);
 #endif
 #if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
   if (k < NODE_COUNT)
   {
-    float over = REMOVAL_LOSS(step, v.z[min(k + 1, NODE_COUNT)] - v.z[k]);
-    least.depth = over < least.area ? k : least.depth;
-    least.transmittance = over < least.area ? k : least.transmittance;
-    least.area = min(over, least.area);
+    float farther = v.z[min(k + 1, NODE_COUNT)] - v.z[k];
+    float over = REMOVAL_LOSS(step, farther + wider);
+    least.depth = over < least.loss ? k : least.depth;
+    least.transmittance = over < least.loss ? k : least.transmittance;
+    KEEP_AREA(over < least.loss, step, farther)
+    least.loss = min(over, least.loss);
   }
 #endif
 }
@@ -85,13 +113,19 @@ void removeNode(INOUT(Visibility) v)
 {
   Removal least;
   least.depth = 0;
-#if NODE_REMOVAL == NODE_REMOVAL_UNDERESTIMATE
-  least.area = 1e30f;
-#else
-  least.transmittance = 0;
-  least.area = REMOVAL_LOSS(1.0f - meanOf(v.t[0]), v.z[1] - v.z[0]);
+  least.loss = 1e30f;
+#if ESTIMATE_ERROR
+  least.area = 0.0f;
 #endif
-#define FIND_LEAST(i) considerNode(v, least, (i) + 1);
+  float wider = REMOVAL_WIDER * (v.z[NODE_COUNT] - v.z[0]);
+#if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
+  float step = 1.0f - meanOf(v.t[0]);
+  float farther = v.z[1] - v.z[0];
+  least.transmittance = 0;
+  least.loss = REMOVAL_LOSS(step, farther + wider);
+  KEEP_AREA(true, step, farther)
+#endif
+#define FIND_LEAST(i) considerNode(v, least, wider, (i) + 1);
   EACH_NODE(FIND_LEAST)
 #if ESTIMATE_ERROR
   v.lost += least.area;

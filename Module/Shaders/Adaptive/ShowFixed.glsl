@@ -1,6 +1,6 @@
 // Adaptive/ShowFixed.glsl: a pixel, or a sample of it, by its record in fixed memory.
 //
-// Needs: SHOW, NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, SAMPLES.
+// Needs: SHOW, NODE_COUNT, NODE_REMOVAL, ALPHA_CORRECTION, ESTIMATE_ERROR, SAMPLES.
 #include "Adaptive/Record.glsl"
 #include "Adaptive/Show.glsl"
 #include "Adaptive/Visibility.glsl"

@@ -4,7 +4,7 @@
 // behind depth z[k] it is t[k]. Before z[0] it is 1: that node is implicit. There is one node more than NODE_COUNT, for the
 // fragment that has just come in. A node that is not in use lies at NODE_EMPTY and holds the total transmittance.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, TRANSMITTANCE_CHANNELS.  Gives: Visibility, clearVisibility, insertFragment, transmittanceBefore,
+// Needs: NODE_COUNT, NODE_REMOVAL, ALPHA_CORRECTION, TRANSMITTANCE_CHANNELS.  Gives: Visibility, clearVisibility, insertFragment, transmittanceBefore,
 // passNode, with ESTIMATE_ERROR 1 estimateError.
 #ifndef Visibility_glsl
 #define Visibility_glsl

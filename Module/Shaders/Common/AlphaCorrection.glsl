@@ -60,10 +60,7 @@ vec3 correctionOf(vec3 weights, vec3 transmittance)
 
 vec3 correctedColor(WeightedSums sums, Channels transmittance)
 {
-  vec3 color = sums.color;
-#if ALPHA_CORRECTION
-  color *= correctionOf(sums.weights, transmittance);
-#endif
+  vec3 color = ALPHA_CORRECTION == 1 ? sums.color * correctionOf(sums.weights, transmittance) : sums.color;
 #if TRANSMITTANCE_CHANNELS == 3
   color = min(color, sums.light);
 #endif
