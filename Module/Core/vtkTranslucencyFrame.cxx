@@ -1106,14 +1106,14 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, int fetchedEmpty)
+bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched)
 {
   using Size = vtkTranslucencyPixels::Size;
   this->UseWholeViewport();
   const vtkTranslucencyCapabilities& capabilities = this->Pass->Internal->Capabilities;
   const auto limit = static_cast<vtkTypeInt64>(capabilities.GetLimitBytes(memoryLimit));
-  this->FetchedEmpty = fetchedEmpty;
-  this->FetchedRecords = fetchedEmpty > 0 && this->FetchPixels(pixels, words, limit) ? &pixels.GetTargets() : nullptr;
+  this->FetchedEmpty = fetched.Empty;
+  this->FetchedRecords = fetched.Words > 0 && this->FetchPixels(pixels, fetched.Words, limit) ? &pixels.GetTargets() : nullptr;
   this->HasRecords = !this->FetchedRecords;
   if (this->FetchedRecords)
   {
@@ -1297,7 +1297,7 @@ vtkTranslucencyFrame::Stage vtkTranslucencyFrame::GetFetchedStage(const Stage& s
   fetched.Targets = this->FetchedRecords;
   fetched.Blend = Blending::Replace;
   fetched.Clear.fill(EMPTY_NUMBER);
-  fetched.Cleared = vtkTranslucencyPixels::CountTargets(this->FetchedEmpty);
+  fetched.Cleared = stage.Number == 0 ? vtkTranslucencyPixels::CountTargets(this->FetchedEmpty) : 0;
   return fetched;
 }
 

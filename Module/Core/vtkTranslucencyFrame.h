@@ -121,12 +121,22 @@ public:
     int Cleared = VTK_INT_MAX; ///< how many of Targets are cleared, the first ones; the others keep what is in them, of earlier stages or frames
   };
 
+  /// A record in colours: its words, of which the first ones are EMPTY_NUMBER before stage 0. Later stages go on with what that has left.
+  struct Fetched
+  {
+    int Words;
+    int Empty;
+  };
+
   /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
   ///
-  /// They lie in buffers, or, if fetchedEmpty is above 0, in colours that fragments fetch (Shaders/Common/PixelTargets.glsl), which is
+  /// They lie in buffers, or, if fetched has words, in colours that fragments fetch (Shaders/Common/PixelTargets.glsl), which is
   /// several times as fast on the software rasterizer: where the driver can, the critical section is chosen automatically, a pixel has one
-  /// sample, and all of the picture's records find room. The first fetchedEmpty words of a record are then EMPTY_NUMBER in the beginning.
-  bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, int fetchedEmpty = 0);
+  /// sample, and all of the picture's records find room.
+  bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched = { 0, 0 });
+
+  /// Whether the records last asked for lie in colours.
+  bool FetchesRecords() const { return this->FetchedRecords != nullptr; }
 
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);

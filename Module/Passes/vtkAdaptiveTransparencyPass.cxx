@@ -205,6 +205,25 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
   const int words = this->NodeCount + transmittances + (this->Show == Error ? wordsOfEstimate : 0);
   vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
   defines["ESTIMATE_ERROR"] = this->Show == Error ? "1" : "0";
+  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines };
+  gathering.Critical = true;
+  const vtkTranslucencyFrame::Stage visibility;
+  vtkTranslucencyFrame::Stage shading;
+  shading.Number = 1;
+  constexpr int wordsOfCount = 1;
+  constexpr int wordsOfSums = 5;
+  const bool fetchable = channels == 1 && this->Show == Picture;
+  if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit(), { fetchable ? wordsOfCount + words + wordsOfSums : 0, wordsOfCount }))
+  {
+    return false;
+  }
+  if (frame.FetchesRecords())
+  {
+    this->Colors.Release();
+    defines.erase("NODE_REMOVAL");
+    return frame.Draw(gathering, visibility) && frame.Draw(gathering, shading) &&
+      frame.Composite("Adaptive/ResolveFetched.glsl", defines, {});
+  }
   std::vector<int> sums{ 4 };
   std::vector<vtkTranslucencyFrame::Input> inputs{ { "gatheredColors", &this->Colors, 0 } };
   if (channels == 3)
@@ -218,17 +237,11 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
     sums = { 4, 1 };
     inputs.push_back({ "gatheredWeights", &this->Colors, 1 });
   }
-  vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines, static_cast<int>(sums.size()) };
-  gathering.Critical = true;
-  const vtkTranslucencyFrame::Stage visibility;
-  vtkTranslucencyFrame::Stage shading;
-  shading.Number = 1;
+  gathering.Outputs = static_cast<int>(sums.size());
   shading.Targets = &this->Colors;
   shading.Blend = vtkTranslucencyFrame::Blending::AddAndAttenuate;
   shading.Clear = { { 0, 0, 0, 1 } };
-  if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit()) ||
-    !frame.UseTargets(this->Colors, sums) ||
-    !frame.Draw(gathering, visibility))
+  if (!frame.UseTargets(this->Colors, sums) || !frame.Draw(gathering, visibility))
   {
     return false;
   }

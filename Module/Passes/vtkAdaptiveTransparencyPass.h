@@ -76,12 +76,16 @@
  *
  * In fixed memory (section 4), 6 bytes a node and 24 more (with transmission colours 16 and 52), a pixel and sample, however many fragments there are:
  * 1. Visibility: the geometry is drawn, and each fragment inserted into the function of its pixel, under a critical section.
- * 2. Shading: the geometry is drawn again, and each fragment's colour weighted with its opacity and vis at its depth; blending sums it
+ * 2. Shading: the geometry is drawn again, and each fragment's colour weighted with its opacity and vis at its depth; blending (see below) sums it
  *    up, and multiplies the total transmittance (16 bytes a pixel and sample), and sums the weights for AlphaCorrection (4 bytes; with transmission
  *    colours there is room for them).
  * 3. Composite.
  * Fragments are inserted as they are drawn, the first drawn first. A function is read and written for each fragment, which takes longer than
  * keeping them all, except where they would not fit into the memory there is. Volumes are drawn over the surfaces.
+ *
+ * Where functions and sums lie: in colours that a fragment fetches, changes and draws again, under the conditions of vtkMultiLayerAlphaBlendingPass, with
+ * up to 17 nodes and without transmission colours. Else functions lie in storage buffers under a critical section, and sums are blended. The picture is
+ * the same; the software rasterizer takes twice as long for that.
  */
 #ifndef vtkAdaptiveTransparencyPass_h
 #define vtkAdaptiveTransparencyPass_h

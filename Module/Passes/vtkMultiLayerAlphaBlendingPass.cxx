@@ -149,7 +149,7 @@ bool vtkMultiLayerAlphaBlendingPass::RenderStages(vtkTranslucencyFrame& frame)
   const int empty = this->Layers + (this->Tail == Average ? 1 : 0); // MultiLayer/Layers.glsl
   vtkTranslucencyFrame::Gathering gathering{ "MultiLayer/Gather.glsl", layers };
   gathering.Critical = true;
-  return frame.UsePixels(this->Pixels, words, this->MemoryLimit, empty) && frame.Draw(gathering, {}) &&
+  return frame.UsePixels(this->Pixels, words, this->MemoryLimit, { words, empty }) && frame.Draw(gathering, {}) &&
     frame.Composite("MultiLayer/Resolve.glsl", layers, {});
 }
 

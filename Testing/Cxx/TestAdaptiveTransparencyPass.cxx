@@ -89,6 +89,37 @@ void AddSpheres(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// Of coincident fragments each is hidden by those drawn after it, wherever functions lie.
+using TestFixedMemory = RenderTest;
+
+TEST_F(TestFixedMemory, IsExactOfCoincidentFragmentsWithEnoughNodes)
+{
+  const AnalyticScene scene = Coincident();
+  const Picture exact = scene.Compute(Reference::CompositeExact);
+  for (int samples : { 0, 4 })
+  {
+    View view(scene, samples);
+    for (int section : { vtkTranslucencyPass::Automatic, vtkTranslucencyPass::Spinlock })
+    {
+      for (int nodes : { 4, 16 })
+      {
+        SCOPED_TRACE(std::to_string(samples) + " " + std::to_string(section) + " " + std::to_string(nodes));
+        const auto pass = NewAdaptive(nodes, Removal::Underestimate);
+        pass->SetMemory(Adaptive::Fixed);
+        pass->SetCriticalSection(section);
+        view.SetPass(pass);
+        const PictureDifference difference = Compare(view.Render(), exact);
+        if (!KeepsDrawOrder(view))
+        {
+          GTEST_SKIP() << "the driver inserts fragments in an order of its own";
+        }
+        EXPECT_EQ(difference.Largest <= Bound, nodes == 16) << difference;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 using TestErrorEstimate = RenderTest;
 
 TEST_F(TestErrorEstimate, IsDrawnAsComputedLikeTheNodes)

@@ -283,7 +283,7 @@ TEST_F(TestPixelMemory, InTilesGivesTheSamePicture)
 }
 
 //------------------------------------------------------------------------------
-// Records in colours that fragments fetch are those in buffers without their counts.
+// Records in colours that fragments fetch are those in buffers, without their counts or with the sums that are else blended.
 TEST_F(TestPixelMemory, IsLessWhereFragmentsFetchIt)
 {
   const AnalyticScene scene = RandomLayers(100, 75, 2, 20, 0.02, 0.8);
@@ -296,7 +296,9 @@ TEST_F(TestPixelMemory, IsLessWhereFragmentsFetchIt)
     { Layers("kbuffer", 8, Tail::Drop), false, 96 }, { Layers("hybrid", 4, Tail::Average), false, 68 },
     { Layers("hybrid", 8, Tail::Average), false, 116 }, { LayersOfBytes("mlab", 4, Tail::Merge), false, 32 },
     { LayersOfBytes("hybrid", 8, Tail::Average), false, 84 }, { Layers("mlab", 4, Tail::Merge), true, 64 },
-    { Layers("hybrid", 4, Tail::Average), true, 100 }, { LayersOfBytes("kbuffer", 10, Tail::Drop), true, 120 } };
+    { Layers("hybrid", 4, Tail::Average), true, 100 }, { LayersOfBytes("kbuffer", 10, Tail::Drop), true, 120 },
+    { AdaptiveFixed(8, "underestimate", Reference::Removal::Underestimate), false, 72 },
+    { AdaptiveFixed(16, "mixed", Reference::Removal::Mixed), false, 120 } };
   for (const auto& one : cases)
   {
     SCOPED_TRACE(one.Drawn.Name + (one.Transmitting ? " transmitting" : ""));

@@ -3,7 +3,8 @@
 //
 // Stage 0 inserts each fragment into it. Stage 1 draws the geometry again and weights each fragment with what the function lets through
 // before it (Eq. 2); blending adds that up and multiplies the total transmittance, with three channels in the alphas of three targets, whose colours
-// are what Common/AlphaCorrection.glsl takes. Weights are added where nodes were removed only: elsewhere nothing is to be corrected.
+// are what Common/AlphaCorrection.glsl takes. Weights are added where nodes were removed only: elsewhere nothing is to be corrected. Where records lie
+// in colours, they hold the sums, too.
 //
 // Coincident fragments each have a node of their depth; the one drawn first has the last of them, and is hidden by the others. When it has
 // been weighted its node moves just behind that depth, so that the next fragment finds its own. That takes the same order in both stages, and
@@ -23,7 +24,9 @@
 
 uniform int gatherStage;
 
-#if TRANSMITTANCE_CHANNELS == 3
+#if RECORD_TARGETS
+#define GATHER_OUTPUTS 0
+#elif TRANSMITTANCE_CHANNELS == 3
 #define GATHER_OUTPUTS 3
 #else
 #define GATHER_OUTPUTS (1 + ALPHA_CORRECTION)
@@ -34,7 +37,7 @@ void loadDepths(PixelRecord record, uint count, inout Visibility visibility)
 #define LOAD_DEPTH(k) \
   if (uint(k) < count) \
   { \
-    visibility.z[k] = uintBitsToFloat(recordWord(record, k)); \
+    visibility.z[k] = recordFloat(record, RECORD_DEPTH + (k)); \
   }
   EACH_NODE(LOAD_DEPTH)
 }
@@ -48,9 +51,9 @@ void loadTransmittances(PixelRecord record, uint count, inout Visibility visibil
 #if ESTIMATE_ERROR
   if (count > 0u)
   {
-    visibility.lost = uintBitsToFloat(recordWord(record, RECORD_LOST));
-    visibility.nearest = uintBitsToFloat(recordWord(record, RECORD_NEAREST));
-    visibility.farthest = uintBitsToFloat(recordWord(record, RECORD_FARTHEST));
+    visibility.lost = recordFloat(record, RECORD_LOST);
+    visibility.nearest = recordFloat(record, RECORD_NEAREST);
+    visibility.farthest = recordFloat(record, RECORD_FARTHEST);
   }
 #endif
 }
@@ -60,16 +63,16 @@ void storeVisibility(PixelRecord record, uint count, Visibility visibility)
 #define STORE(k) \
   if (uint(k) < count) \
   { \
-    setRecordWord(record, k, floatBitsToUint(visibility.z[k])); \
+    setRecordFloat(record, RECORD_DEPTH + (k), visibility.z[k]); \
   } \
   STORE_TRANSMITTANCE(k)
   EACH_NODE(STORE)
 #if ESTIMATE_ERROR
-  setRecordWord(record, RECORD_LOST, floatBitsToUint(visibility.lost));
-  setRecordWord(record, RECORD_NEAREST, floatBitsToUint(visibility.nearest));
-  setRecordWord(record, RECORD_FARTHEST, floatBitsToUint(visibility.farthest));
+  setRecordFloat(record, RECORD_LOST, visibility.lost);
+  setRecordFloat(record, RECORD_NEAREST, visibility.nearest);
+  setRecordFloat(record, RECORD_FARTHEST, visibility.farthest);
 #endif
-  setRecordCount(record, count);
+  setFragmentCount(record, count);
 }
 
 // What a fragment finds at its depth.
@@ -91,6 +94,32 @@ Lookup lookUp(Visibility visibility, float depth)
   return found;
 }
 
+// Behind any node, before the first at -1.
+Channels transmittanceBehind(PixelRecord record, int node)
+{
+  Channels behind = Channels(1.0);
+#if RECORD_TARGETS
+#define FIND_NODE(k) behind = node == (k) ? nodeTransmittance(record, k) : behind;
+  EACH_NODE(FIND_NODE)
+#else
+  if (node >= 0)
+  {
+    behind = nodeTransmittance(record, node);
+  }
+#endif
+  return behind;
+}
+
+void moveNode(PixelRecord record, int node, float depth)
+{
+#if RECORD_TARGETS
+#define MOVE_NODE(k) setRecordFloat(record, RECORD_DEPTH + (k), node == (k) ? depth : recordFloat(record, RECORD_DEPTH + (k)));
+  EACH_NODE(MOVE_NODE)
+#else
+  setRecordFloat(record, RECORD_DEPTH + node, depth);
+#endif
+}
+
 // What a fragment is weighted with, and what of that counts as a weight.
 struct Weight
 {
@@ -100,7 +129,7 @@ struct Weight
 
 Weight visitPixel(PixelRecord record, Channels opacity, float depth)
 {
-  uint count = recordCount(record);
+  uint count = fragmentCount(record);
   Visibility visibility;
   clearVisibility(visibility);
   loadDepths(record, count, visibility);
@@ -114,26 +143,38 @@ Weight visitPixel(PixelRecord record, Channels opacity, float depth)
   Lookup found = lookUp(visibility, depth);
   if (found.coincident > 1)
   {
-    setRecordWord(record, found.before, floatBitsToUint(depth) + 1u);
+    moveNode(record, found.before, uintBitsToFloat(floatBitsToUint(depth) + 1u));
   }
   bool removed = count > uint(NODE_COUNT);
-  Channels behind = Channels(1.0);
-  if (found.before > 0)
-  {
-    behind = nodeTransmittance(record, found.before - 1);
-  }
+  Channels behind = transmittanceBehind(record, found.before - 1);
   if (WEIGHS_BY_MEANS && removed && found.coincident == 0)
   {
-    Channels before = Channels(1.0);
-    if (found.before > 1)
-    {
-      before = nodeTransmittance(record, found.before - 2);
-    }
-    behind = visibilityBetween(before, behind, opacity);
+    behind = visibilityBetween(transmittanceBehind(record, found.before - 2), behind, opacity);
   }
   return Weight(behind, removed ? 1.0 : 0.0);
 }
 
+#if RECORD_TARGETS
+void gatherFragment(vec4 color, float depth)
+{
+  PixelRecord record = pixelRecord(ivec2(gl_FragCoord.xy), 0);
+  Channels opacity = opacityOf(color);
+  if (gatherStage == 0 && fragmentCount(record) == 0u)
+  {
+    storeTail(record, RECORD_SUMS, Tail(vec3(0.0), Channels(0.0), Channels(1.0)));
+  }
+  Weight weight = visitPixel(record, opacity, depth);
+  if (gatherStage != 0)
+  {
+    Tail sums = loadTail(record, RECORD_SUMS);
+    sums.color += weight.visibility * color.a * color.rgb;
+    sums.opacity += weight.corrected * weight.visibility * opacity;
+    sums.transmittance *= 1.0 - opacity;
+    storeTail(record, RECORD_SUMS, sums);
+  }
+  drawRecord();
+}
+#else
 void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -161,3 +202,4 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
 #endif
 #endif
 }
+#endif
