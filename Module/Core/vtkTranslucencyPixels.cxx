@@ -41,6 +41,10 @@ vtkTranslucencyPixels::Size vtkTranslucencyPixels::GetSize(
 bool vtkTranslucencyPixels::Begin(const Size& size)
 {
   this->Targets.Release();
+  if (size.Locks == 0)
+  {
+    this->Locks.Release();
+  }
   if (!this->Counts.Reserve(size.Counts) || !this->Records.Reserve(size.Records) ||
     (size.Locks > 0 && !this->Locks.Reserve(size.Locks)))
   {
