@@ -154,6 +154,18 @@ void CheckCells(const std::string& file, vtkCellArray* cells, vtkIdType points)
   }
 }
 
+// VTK's PLY reader of 9.6 gives polygons of no points for those that the end of a file has cut off, and says nothing.
+void CheckSizes(const std::string& file, vtkCellArray* cells)
+{
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    if (cells->GetCellSize(cell) == 0)
+    {
+      throw Failure(file + ": a cell has no points, expected at least one; the file may be cut off");
+    }
+  }
+}
+
 void CheckData(const std::string& file, vtkDataSet* data)
 {
   const vtkIdType points = data->GetNumberOfPoints();
@@ -163,6 +175,7 @@ void CheckData(const std::string& file, vtkDataSet* data)
       { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
     {
       CheckCells(file, cells, points);
+      CheckSizes(file, cells);
     }
   }
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))

@@ -1,5 +1,6 @@
 """Small inputs of every kind that the command reads, and broken ones, written by hand: no library is trusted here."""
 
+import itertools
 import json
 import math
 import struct
@@ -29,7 +30,7 @@ def labels():
 
 
 def vtp(points=POINTS, triangles=TRIANGLES):
-    offsets = [3 * (i + 1) for i in range(len(triangles))]
+    offsets = list(itertools.accumulate(len(triangle) for triangle in triangles))
     return f"""<?xml version="1.0"?>
 <VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
 <Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(triangles)}">
@@ -290,6 +291,7 @@ def write_broken(folder):
         "nocells.vtp": vtp(triangles=[]),
         "nopoints.vtp": vtp(points=[], triangles=[]),
         "wrongpoint.vtp": vtp(triangles=[(0, 1, 99)]),
+        "emptycell.vtp": vtp(triangles=[(0, 1, 2), ()]),
         "nan.ply": ply([*POINTS[:2], (0, "nan", 0), *POINTS[3:]]),
         "inf.ply": ply([("inf", 0, 0), *POINTS[1:]]),
         "nan.glb": glb([*POINTS[:5], (0, 0, math.nan)]),
