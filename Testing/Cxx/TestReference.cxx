@@ -175,9 +175,9 @@ TEST_P(TestWorstCase, StaysWithinItsBound)
 }
 
 INSTANTIATE_TEST_SUITE_P(Reference, TestWorstCase,
-  testing::Values(WorstCaseBound{ 4, Removal::Underestimate, 0.21, 0.024 }, WorstCaseBound{ 8, Removal::Underestimate, 0.085, 0.0082 },
-    WorstCaseBound{ 16, Removal::Underestimate, 0.025, 0.0022 }, WorstCaseBound{ 32, Removal::Underestimate, 0.006, 0.00033 },
+  testing::Values(WorstCaseBound{ 4, Removal::Underestimate, 0.21, 0.024 }, WorstCaseBound{ 8, Removal::Underestimate, 0.085, 0.008 },
+    WorstCaseBound{ 16, Removal::Underestimate, 0.025, 0.0017 }, WorstCaseBound{ 32, Removal::Underestimate, 0.006, 0.0001 },
     WorstCaseBound{ 4, Removal::Overestimate, 0.44, 0.041 }, WorstCaseBound{ 8, Removal::Overestimate, 0.14, 0.0195 },
-    WorstCaseBound{ 16, Removal::Overestimate, 0.037, 0.0079 }, WorstCaseBound{ 32, Removal::Overestimate, 0.0048, 0.0017 },
+    WorstCaseBound{ 16, Removal::Overestimate, 0.037, 0.0061 }, WorstCaseBound{ 32, Removal::Overestimate, 0.0048, 0.00045 },
     WorstCaseBound{ 4, Removal::Mixed, 0.085, 0.032 }, WorstCaseBound{ 8, Removal::Mixed, 0.034, 0.0145 },
-    WorstCaseBound{ 16, Removal::Mixed, 0.012, 0.0053 }, WorstCaseBound{ 32, Removal::Mixed, 0.0026, 0.0011 }));
+    WorstCaseBound{ 16, Removal::Mixed, 0.012, 0.0035 }, WorstCaseBound{ 32, Removal::Mixed, 0.0026, 0.0002 }));
