@@ -324,6 +324,22 @@ TEST_P(TestVisibility, IsExactWithEnoughNodes)
 }
 
 //------------------------------------------------------------------------------
+TEST_P(TestVisibility, KnowsOfEqualDepthsWhoseNodesWent)
+{
+  const float alpha = 0.01f;
+  std::vector<Step> steps{ { 0.125f, alpha }, { 0.125f, alpha } };
+  for (int i = 1; i < GetParam().NodeCount; ++i) // one fragment too many; the two together lose least
+  {
+    steps.push_back(
+      { 0.25f + 0.5f * static_cast<float>(i) / static_cast<float>(GetParam().NodeCount), 0.02f });
+  }
+  const std::vector<double> weights = Weights(GetParam(), steps);
+  EXPECT_NEAR(weights[0], 1, Rounding);
+  EXPECT_LE(weights[1], 1 - alpha + Rounding);
+  EXPECT_GE(weights[1], (1 - alpha) * (1 - alpha) - Rounding);
+}
+
+//------------------------------------------------------------------------------
 TEST_P(TestVisibility, KeepsTheTotal)
 {
   // The paper promises it of Underestimate; the others keep it because they never drop the last node.

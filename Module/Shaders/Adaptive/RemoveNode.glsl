@@ -55,7 +55,7 @@ struct Visibility
 {
   float z[NODE_COUNT + 1];
   Channels t[NODE_COUNT + 1];
-  bool tied; // fragments of equal depth have come in
+  float narrowest; // of the distances between neighbours when a node was removed
 #if ESTIMATE_ERROR
   float lost; // the areas of all removals
   float nearest; // of the fragments
@@ -86,8 +86,9 @@ struct Removal
 void considerNode(INOUT(Visibility) v, INOUT(Removal) least, float wider, int k)
 {
   float step = meanOf(v.t[k - 1] - v.t[k]);
-#if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
   float nearer = v.z[k] - v.z[k - 1];
+  v.narrowest = min(v.narrowest, nearer);
+#if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
   float under = REMOVAL_LOSS(step, nearer + wider);
   least.depth = under < least.loss ? k : least.depth;
 #if NODE_REMOVAL == NODE_REMOVAL_MIXED

@@ -66,7 +66,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
     count += covers(fragment) ? 1 : 0;
   }
 #if !EQUAL_DEPTHS
-  if (visibility.tied && samplesAgree())
+  if (coincide(visibility) && samplesAgree())
   {
     leaveToLevel(pixel, EQUAL_DEPTHS_LEVEL);
     return false;

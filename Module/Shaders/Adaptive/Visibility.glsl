@@ -4,8 +4,8 @@
 // behind depth z[k] it is t[k]. Before z[0] it is 1: that node is implicit. There is one node more than NODE_COUNT, for the
 // fragment that has just come in. A node that is not in use lies at NODE_EMPTY and holds the total transmittance.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, ALPHA_CORRECTION, TRANSMITTANCE_CHANNELS.  Gives: Visibility, clearVisibility, insertFragment, transmittanceBefore,
-// passNode, with ESTIMATE_ERROR 1 estimateError.
+// Needs: NODE_COUNT, NODE_REMOVAL, ALPHA_CORRECTION, TRANSMITTANCE_CHANNELS.  Gives: Visibility, clearVisibility, insertFragment, coincide,
+// transmittanceBefore, passNode, with ESTIMATE_ERROR 1 estimateError.
 #ifndef Visibility_glsl
 #define Visibility_glsl
 #include "Adaptive/RemoveNode.glsl"
@@ -25,7 +25,7 @@ void clearVisibility(OUT(Visibility) v)
   v.t[k] = Channels(1.0f);
   EACH_NODE(CLEAR)
   CLEAR(NODE_COUNT)
-  v.tied = false;
+  v.narrowest = NODE_EMPTY;
 #if ESTIMATE_ERROR
   v.lost = 0.0f;
   v.nearest = NODE_EMPTY;
@@ -40,11 +40,9 @@ void insertFragment(INOUT(Visibility) v, float depth, Channels alpha, int count)
 {
   Channels passes = 1.0f - alpha;
 #define INSERT_BEHIND(k) \
-  v.tied = v.tied || v.z[(k) + 1] == depth; \
   v.t[(k) + 1] = STAYS_IN_FRONT(v.z[(k) + 1], depth) ? v.t[(k) + 1] : passes * v.t[k]; \
   v.z[(k) + 1] = min(v.z[(k) + 1], max(v.z[k], depth));
   EACH_NODE_BACKWARDS(INSERT_BEHIND)
-  v.tied = v.tied || v.z[0] == depth;
   v.t[0] = STAYS_IN_FRONT(v.z[0], depth) ? v.t[0] : passes;
   v.z[0] = min(v.z[0], depth);
 #if ESTIMATE_ERROR
@@ -55,6 +53,15 @@ void insertFragment(INOUT(Visibility) v, float depth, Channels alpha, int count)
   {
     removeNode(v);
   }
+}
+
+// Whether fragments of equal depth have come in. They are neighbours: then still, or when one of their nodes was removed. So an insertion need not look.
+bool coincide(Visibility v)
+{
+  bool found = v.narrowest == 0.0f;
+#define FIND_COINCIDENT(k) found = found || (v.z[(k) + 1] < NODE_EMPTY && v.z[k] == v.z[(k) + 1]);
+  EACH_NODE(FIND_COINCIDENT)
+  return found;
 }
 
 #if ESTIMATE_ERROR

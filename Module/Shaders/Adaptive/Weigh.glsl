@@ -29,7 +29,7 @@ Channels visibilityBetween(Channels before, Channels behind, Channels opacity)
   return min(max(sqrt(before * behind), withoutItself), before);
 }
 
-// removed: whether nodes were. Where fragments of equal depth have come in (v.tied), passNode follows.
+// removed: whether nodes were. Where fragments of equal depth have come in, passNode follows.
 Channels visibilityAt(INOUT(Visibility) v, float depth, Channels opacity, bool removed)
 {
   Channels behind = transmittanceBefore(v, depth);
