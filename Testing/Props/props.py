@@ -347,7 +347,7 @@ def _(prop, _):
 
 
 @recipe("vtkCheckerboardRepresentation")
-def _(prop, _):
+def _(prop, renderer):
     board = vtk.vtkImageCheckerboard()
     board.SetInputData(0, centered(checkers()))
     board.SetInputData(1, centered(checkers()))
@@ -357,6 +357,8 @@ def _(prop, _):
     actor.SetInputData(board.GetOutput())
     prop.SetCheckerboard(board)
     prop.SetImageActor(actor)
+    for side in ("Top", "Right", "Bottom", "Left"):
+        getattr(prop, f"Get{side}Representation")().SetRenderer(renderer)  # without it all four stay where they were made
 
 
 @recipe("vtkCameraOrientationRepresentation")
