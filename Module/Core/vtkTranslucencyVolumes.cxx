@@ -95,9 +95,11 @@ bool vtkTranslucencyVolumes::IsRayCaster(vtkAbstractMapper* mapper)
 bool vtkTranslucencyVolumes::PreReplaceShaderValues(
   std::string& fragmentShader, const std::string& who, std::string& error) const
 {
-  // The second line of the loop is what the ray caster does to a whole ray's colour in the end.
-  const std::string worker = "initializeRayCast();\n"
-                             "startSegments();\n"
+  // Segments are started first: where no list is read before VTK's loop over clipping planes,
+  // lavapipe's code crashes (Documentation/Drivers.md). The second line of the loop is what the ray
+  // caster does to a whole ray's colour in the end.
+  const std::string worker = "startSegments();\n"
+                             "initializeRayCast();\n"
                              "float front;\n"
                              "float back;\n"
                              "while (nextSegment(front, back))\n"
