@@ -1283,7 +1283,7 @@ bool vtkTranslucencyFrame::Draw(const Gathering& gathering, const Stage& stage, 
     kept.GatherUniforms["gatherStage"] = drawn.Number;
     kept.GatherUniforms.insert(inputs.GetUnits().begin(), inputs.GetUnits().end());
     kept.GatherError.clear();
-    this->DrawGeometry(drawn, gathering.Outputs > 0 || kept.GatherFetches, any);
+    this->DrawGeometry(drawn, (gathering.Outputs > 0 && !drawn.StoresOnly) || kept.GatherFetches, any);
   }
   this->FinishRecords();
   return this->IsDrawn();

