@@ -2,6 +2,8 @@
 
 #include "vtkTranslucencyVTKVersion.h"
 
+#include <vtkRenderWindow.h>
+
 #include <sstream>
 
 namespace
@@ -133,7 +135,12 @@ bool IsZink()
 }
 
 //------------------------------------------------------------------------------
-bool CrashesIn(const std::string& effect, int samples)
+bool CrashesIn(const std::string& effect, vtkRenderWindow* window)
 {
-  return samples > 0 && effect.find("FXAA") != std::string::npos && IsZink();
+  if (window->GetMultiSamples() == 0 || effect.find("FXAA") == std::string::npos)
+  {
+    return false;
+  }
+  window->Render();
+  return IsZink();
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+class vtkRenderWindow;
+
 using GLState = std::map<std::string, std::vector<double>>;
 
 /// The state of the context that is current.
@@ -19,7 +21,7 @@ std::vector<std::string> TakeGLErrors();
 /// Whether zink draws: for what it can't do (Documentation/Drivers.md).
 bool IsZink();
 
-/// Whether the driver crashes in VTK's effect of this name in a window of so many samples (Documentation/Drivers.md).
-bool CrashesIn(const std::string& effect, int samples);
+/// Whether the driver crashes in VTK's effect of this name in that window (Documentation/Drivers.md). May draw in it, to have a context.
+bool CrashesIn(const std::string& effect, vtkRenderWindow* window);
 
 #endif

@@ -138,6 +138,34 @@ vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const
 }
 
 //------------------------------------------------------------------------------
+void PrintTo(const Way& way, std::ostream* os)
+{
+  *os << way.Technique << " " << way.Option << " " << way.Choice;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Way> AllWays()
+{
+  std::vector<Way> ways{ { "adaptive", "memory", "fixed" }, { "fourier", "memory", "fixed" }, { "shadowmap", "memory", "fixed" },
+    { "peel", "method", "front-to-back" }, { "peel", "method", "bucket-sort" }, { "sorted", "order", "centroid" } };
+  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+  {
+    ways.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });
+  }
+  return ways;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRenderPass> NewPass(const Way& way)
+{
+  if (way.Option.empty())
+  {
+    return vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(way.Technique));
+  }
+  return NewTechnique(way.Technique, { { way.Option, way.Choice } });
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> OwnTechniques()
 {
   std::vector<std::string> names;

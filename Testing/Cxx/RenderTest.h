@@ -67,6 +67,22 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// A new pass of a technique, by its name in vtkTranslucencyFactory. Fails where it does not take a setting.
 vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const Settings& settings = {});
 
+/// A technique, with a choice of an option by which it draws in another way, or, without an option, as by default.
+struct Way
+{
+  std::string Technique;
+  std::string Option;
+  std::string Choice;
+};
+
+void PrintTo(const Way& way, std::ostream* os);
+
+/// All techniques, VTK's, too, and choices by which they draw in another way.
+std::vector<Way> AllWays();
+
+/// A new pass. Fails where it does not take the choice.
+vtkSmartPointer<vtkRenderPass> NewPass(const Way& way);
+
 /// The names of this module's techniques, without those that are VTK's.
 std::vector<std::string> OwnTechniques();
 

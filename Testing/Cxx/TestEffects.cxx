@@ -126,11 +126,11 @@ TEST_P(TestEffects, OfTheRendererAreThose)
 {
   const auto& [effect, samples] = GetParam();
   Room stock(samples, vtkSmartPointer<BlendingRenderer>::New());
-  const Picture plain = stock.Render();
-  if (CrashesIn(effect.Name, samples))
+  if (CrashesIn(effect.Name, stock.Window))
   {
     GTEST_SKIP() << "VTK's FXAA crashes the driver in multi-sampled windows";
   }
+  const Picture plain = stock.Render();
   effect.Use(stock.Renderer, true);
   const Picture expected = stock.Render();
   EXPECT_GT(Compare(plain, expected).Largest, 10) << "an effect that is seen";
@@ -164,8 +164,7 @@ TEST_P(TestEffectsOfTechniques, AreThoseOfTheRenderer)
   const auto& [effect, samples] = GetParam();
   Room stock(samples, vtkSmartPointer<BlendingRenderer>::New());
   stock.ShowOthers(false);
-  stock.Render();
-  if (CrashesIn(effect.Name, samples))
+  if (CrashesIn(effect.Name, stock.Window))
   {
     GTEST_SKIP() << "VTK's FXAA crashes the driver in multi-sampled windows";
   }
@@ -196,30 +195,38 @@ TEST_F(TestEffectsOfPasses, ShadowsOfTheRendererHideNothing)
     Room room(samples);
     room.ShowTranslucent(false);
     const Picture unshadowed = room.Render();
-    if (samples > 0 && IsZink())
+    const bool late = samples > 0 && IsZink(); // VTK's shadows are those of the frame before there
+    const auto draw = [&room, late]
     {
-      continue; // VTK's shadows are a frame late there, and its FXAA crashes
-    }
+      if (late)
+      {
+        room.Render();
+      }
+      return room.Render();
+    };
     room.Renderer->UseShadowsOn();
-    const Picture stock = room.Render();
+    const Picture stock = draw();
     EXPECT_GT(Compare(unshadowed, stock).Largest, 10) << "a shadow that is seen";
     vtkTranslucencyFactory::Enable(room.Renderer, "blend");
-    EXPECT_EQ(Compare(room.Render(), stock).Largest, 0);
+    EXPECT_EQ(Compare(draw(), stock).Largest, 0);
     room.ShowTranslucent(true);
     room.ShowOthers(false);
-    const Picture blended = room.Render();
+    const Picture blended = draw();
     EXPECT_GT(Compare(blended, stock).RootMeanSquare, 0.05);
     for (const std::string& name : TechniquesThatBlendOneSurface())
     {
       vtkTranslucencyFactory::Enable(room.Renderer, name);
-      const PictureDifference difference = Compare(room.Render(), blended);
+      const PictureDifference difference = Compare(draw(), blended);
       EXPECT_LE(difference.Largest, 2) << name << ": " << difference;
     }
-    room.Renderer->UseFXAAOn();
-    room.Render();
+    if (!CrashesIn("FXAA", room.Window))
+    {
+      room.Renderer->UseFXAAOn();
+      room.Render();
+    }
     vtkTranslucencyFactory::Disable(room.Renderer);
     room.Renderer->UseFXAAOff();
-    EXPECT_EQ(Compare(room.Render(), stock).Largest, 0);
+    EXPECT_EQ(Compare(draw(), stock).Largest, 0);
   }
 }
 

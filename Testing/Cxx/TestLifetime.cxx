@@ -237,30 +237,19 @@ std::vector<Case> Cases()
   {
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
     // With a choice that holds other objects than the default does, too.
-    std::vector<std::array<std::string, 3>> arrangements{ { "adaptive", "memory", "fixed" },
-      { "fourier", "memory", "fixed" }, { "sorted", "order", "centroid" }, { "peel", "method", "front-to-back" },
-      { "peel", "method", "bucket-sort" }, { "exact", "storage", "t-buffer" } };
+    std::vector<Way> ways = AllWays();
+    ways.push_back({ "exact", "storage", "t-buffer" });
     if (samples == 0)
     {
-      arrangements.push_back({ "exact", "storage", "r-buffer" });
-      arrangements.push_back({ "exact", "storage", "m-buffer" });
+      ways.push_back({ "exact", "storage", "r-buffer" });
+      ways.push_back({ "exact", "storage", "m-buffer" });
     }
-    for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+    for (const Way& way : ways)
     {
-      arrangements.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });
-    }
-    for (const auto& [name, keyword, choice] : arrangements)
-    {
-      const auto create = [name = name, keyword = keyword, choice = choice]
-      {
-        const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
-        vtkSmartPointer<vtkTranslucencyPass> own = vtkTranslucencyPass::SafeDownCast(pass);
-        EXPECT_TRUE(!own || keyword.empty() || own->SetOption(keyword, choice));
-        return own;
-      };
+      const auto create = [way] { return vtkSmartPointer<vtkTranslucencyPass>(vtkTranslucencyPass::SafeDownCast(NewPass(way))); };
       if (create())
       {
-        cases.push_back({ std::regex_replace(name + choice, std::regex("-"), "") + suffix, create, samples });
+        cases.push_back({ std::regex_replace(way.Technique + way.Choice, std::regex("-"), "") + suffix, create, samples });
       }
     }
   }

@@ -286,7 +286,8 @@ TEST_P(TestMultiSampling, IsTheMeanOfTheSamples)
   ASSERT_GT(positions.size(), 1u);
   std::vector<bool> certain;
   const Picture expected = scene.Compute(GetParam().Composite, positions, certain);
-  ASSERT_GT(std::count(certain.begin(), certain.end(), true), 0.2 * certain.size());
+  const double least = positions.size() > 4 ? 0.2 : 0.3; // the more samples, the more borders are too near to one
+  ASSERT_GT(std::count(certain.begin(), certain.end(), true), least * certain.size());
   for (int frame = 0; frame < 2; ++frame)
   {
     Picture drawn = view.Render();

@@ -2,8 +2,6 @@
 #include "RenderTest.h"
 
 #include <vtkImageData.h>
-#include <vtkTranslucencyFactory.h>
-#include <vtkTranslucencyPass.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
@@ -13,40 +11,9 @@
 
 namespace
 {
-// A technique, and an option by which it draws in another way.
-struct Way
-{
-  std::string Technique;
-  std::string Option;
-  std::string Choice;
-};
-
-void PrintTo(const Way& way, std::ostream* os)
-{
-  *os << way.Technique << " " << way.Option << " " << way.Choice;
-}
-
 std::string NameOf(const Way& way)
 {
   return std::regex_replace(way.Technique + way.Choice, std::regex("-"), "_");
-}
-
-vtkSmartPointer<vtkRenderPass> Create(const Way& way)
-{
-  auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(way.Technique));
-  EXPECT_TRUE(way.Option.empty() || vtkTranslucencyPass::SafeDownCast(pass)->SetOption(way.Option, way.Choice));
-  return pass;
-}
-
-std::vector<Way> AllWays()
-{
-  std::vector<Way> ways{ { "adaptive", "memory", "fixed" }, { "fourier", "memory", "fixed" }, { "shadowmap", "memory", "fixed" },
-    { "peel", "method", "front-to-back" }, { "peel", "method", "bucket-sort" }, { "sorted", "order", "centroid" } };
-  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
-  {
-    ways.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });
-  }
-  return ways;
 }
 
 // Those that are exact of four layers.
@@ -76,7 +43,7 @@ std::vector<double> Shoot(const AnalyticScene& scene, const Way& way, int sample
   view.Window->SetAlphaBitPlanes(1);
   view.Renderer->SetBackground(background, background, background);
   view.Renderer->SetBackgroundAlpha(opacity);
-  view.SetTranslucentPass(Create(way));
+  view.SetTranslucentPass(NewPass(way));
   view.Window->Render();
   vtkNew<vtkWindowToImageFilter> grabber;
   grabber->SetInput(view.Window);
