@@ -15,12 +15,14 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
+#include "vtkStorageCountPass.h"
 #include "vtkTextureObject.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFactory.h"
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyStatistics.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVisibilityFunctionPass.h"
 
 #include <algorithm>
 #include <chrono>
@@ -274,16 +276,25 @@ std::optional<StorageCounts> Stage::CountStorage(int technique)
   {
     return {};
   }
-  pass->CountAccessesOn();
-  this->Draw(technique);
-  pass->CountAccessesOff();
-  vtkTranslucencyStatistics* from = pass->GetStatistics();
-  if (from->GetAccesses() < 0)
+  auto* choosing = vtkVisibilityFunctionPass::SafeDownCast(pass);
+  if (choosing && choosing->GetMemory() == vtkVisibilityFunctionPass::Fixed)
   {
     return {};
   }
-  return StorageCounts{ from->GetSectionLength(), from->GetPackedBytes() / (1024.0 * 1024.0), from->GetStores(), from->GetReads(),
-    from->GetTableAccesses(), from->GetSecondDepthAccesses(), from->GetFrameBufferAccesses(), from->GetAccesses() };
+  // In the technique's place, with its storage.
+  vtkNew<vtkStorageCountPass> counting;
+  counting->SetStorage(pass->GetStorage());
+  vtkRenderer* renderer = this->Players[technique].Renderer;
+  vtkTranslucencyFactory::Enable(renderer, counting.Get());
+  this->Draw(technique);
+  vtkTranslucencyFactory::Enable(renderer, static_cast<vtkRenderPass*>(pass));
+  if (counting->GetAccesses() < 0)
+  {
+    return {};
+  }
+  return StorageCounts{ static_cast<int>(counting->GetSectionFragments()), counting->GetPackedBytes() / (1024.0 * 1024.0),
+    counting->GetStores(), counting->GetReads(), counting->GetTableAccesses(), counting->GetSecondDepthAccesses(),
+    counting->GetFrameBufferAccesses(), counting->GetAccesses() };
 }
 
 //------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ struct FrameStatistics
   std::string Fallback; ///< what was drawn instead, if the driver could not run the technique
 };
 
-/// What a frame takes of a fragment storage: see vtkTranslucencyStatistics.
+/// What a frame takes of a fragment storage: see vtkStorageCountPass.
 struct StorageCounts
 {
   int SectionLength = 1;

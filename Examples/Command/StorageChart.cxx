@@ -39,7 +39,7 @@ vtkSmartPointer<vtkTable> MakeTable(const StorageReport& report, StorageChart ch
   for (std::size_t design = 0; design < report.Frames.front().Layouts.size(); ++design)
   {
     vtkNew<vtkFloatArray> column;
-    column->SetName(vtkStorageAccounting::GetName(report.Frames.front().Layouts[design].Kind).c_str());
+    column->SetName(vtkStorageDesign::GetName(report.Frames.front().Layouts[design].Kind).c_str());
     for (const StorageFrame& frame : report.Frames)
     {
       const vtkStorageAccounting::Cost& cost = frame.Costs[design];

@@ -34,7 +34,7 @@ void Simulate(const TraceFrame& fragments, const StorageFrame& frame, Progress& 
 {
   for (std::size_t i = 0; i < frame.Layouts.size(); ++i)
   {
-    const std::string where = frame.Name + ", " + Accounting::GetName(frame.Layouts[i].Kind);
+    const std::string where = frame.Name + ", " + vtkStorageDesign::GetName(frame.Layouts[i].Kind);
     progress.Step(where);
     const vtkStorageSimulator::Result result = vtkStorageSimulator::Run(frame.Layouts[i], fragments.Fragments);
     if (!result.Error.empty())
@@ -83,7 +83,7 @@ std::string FrameText(const StorageFrame& frame)
     const Accounting::Layout& layout = frame.Layouts[i];
     const Accounting::Cost& cost = frame.Costs[i];
     const bool points = layout.Kind != Design::RBuffer;
-    rows.push_back({ Accounting::GetName(layout.Kind), Grouped(cost.Fragments), SectionLengthText(layout), points ? Grouped(cost.Sections) : "-",
+    rows.push_back({ vtkStorageDesign::GetName(layout.Kind), Grouped(cost.Fragments), SectionLengthText(layout), points ? Grouped(cost.Sections) : "-",
       points ? std::to_string(layout.Bits.Address) : "-", Fixed(cost.Bytes / 1024, 1), Grouped(cost.Count.Stores), Grouped(cost.Count.Reads),
       Grouped(cost.Count.Table), Grouped(cost.Count.SecondDepth), Grouped(cost.Count.FrameBuffer), Grouped(cost.Count.GetTotal()) });
   }
@@ -105,7 +105,7 @@ Json DesignToJson(const Accounting::Layout& layout, const Accounting::Cost& cost
   const bool sections = layout.Kind == Design::TBuffer || layout.Kind == Design::MBuffer;
   const Accounting::Accesses& count = cost.Count;
   Json json;
-  json["design"] = Accounting::GetName(layout.Kind);
+  json["design"] = vtkStorageDesign::GetName(layout.Kind);
   json["section_length"] = sections ? Json(layout.SectionLength) : Json();
   json["sections"] = points ? Json(cost.Sections) : Json();
   json["address_bits"] = points ? Json(layout.Bits.Address) : Json();
@@ -131,7 +131,7 @@ StorageReport AccountStorage(const std::string& context, const std::vector<std::
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     StorageFrame frame{ names[i], frames[i], {}, {} };
-    for (const Design design : Accounting::GetDesigns())
+    for (const Design design : vtkStorageDesign::GetAll())
     {
       frame.Layouts.push_back(accounting.GetLayout(design, i));
       frame.Costs.push_back(accounting.GetCost(design, i));
@@ -155,7 +155,7 @@ StorageReport AccountStorage(
     frames.push_back(vtkStorageSimulator::Count(trace.Size[0], trace.Size[1], frame.Fragments));
   }
   StorageReport report = AccountStorage(context, names, frames, settings);
-  Progress progress("simulating", static_cast<int>(frames.size() * Accounting::GetDesigns().size()));
+  Progress progress("simulating", static_cast<int>(frames.size() * vtkStorageDesign::GetAll().size()));
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     Simulate(trace.Frames[i], report.Frames[i], progress);
@@ -179,7 +179,7 @@ std::string ToText(const StorageReport& report)
   out << "\n" << (report.Frames.size() > 1 ? "Means of " + std::to_string(report.Frames.size()) + " frames:\n" : "");
   for (const StorageMean& mean : report.Means)
   {
-    out << Accounting::GetName(mean.Design) << " against " << Accounting::GetName(mean.Against) << ": " << ChangeText(mean.Saved.Storage)
+    out << vtkStorageDesign::GetName(mean.Design) << " against " << vtkStorageDesign::GetName(mean.Against) << ": " << ChangeText(mean.Saved.Storage)
         << " storage, " << ChangeText(mean.Saved.Accesses) << " accesses\n";
   }
   return out.str();
@@ -214,7 +214,7 @@ Json ToJson(const StorageReport& report)
   json["means"] = Json::array();
   for (const StorageMean& mean : report.Means)
   {
-    json["means"].push_back({ { "design", Accounting::GetName(mean.Design) }, { "against", Accounting::GetName(mean.Against) },
+    json["means"].push_back({ { "design", vtkStorageDesign::GetName(mean.Design) }, { "against", vtkStorageDesign::GetName(mean.Against) },
       { "less_storage", mean.Saved.Storage }, { "fewer_accesses", mean.Saved.Accesses } });
   }
   return json;

@@ -92,6 +92,12 @@ void vtkTranslucencyBuffer::BindTexels(int words)
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::FinishStores()
+{
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyBuffer::Release(bool contextAlive)
 {
   if (this->Texture != 0 && contextAlive)

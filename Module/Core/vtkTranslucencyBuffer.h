@@ -2,7 +2,7 @@
  * A buffer object of OpenGL for shaders to read and write. It belongs to the context in which it was allocated and must
  * be released while that context is current; vtkOpenGLBufferObject knows no storage and no uniform buffers.
  *
- * After a drawing whose shaders store to it, vtkTranslucencyFrame::FinishStores comes before anything else here.
+ * After a drawing whose shaders store to it, FinishStores comes before anything else here.
  */
 #ifndef vtkTranslucencyBuffer_h
 #define vtkTranslucencyBuffer_h
@@ -34,6 +34,9 @@ public:
 
   /// Binds a texture that is the buffer to the active texture unit, as GL_TEXTURE_BUFFER. A texel has 1, 3 or 4 unsigned integers.
   void BindTexels(int words);
+
+  /// After a drawing whose shaders store to buffers: from now on other shaders see it, and the application, which may write there, too.
+  static void FinishStores();
 
   /// Bytes as allocated.
   vtkTypeInt64 GetBytes() const { return this->Bytes; }

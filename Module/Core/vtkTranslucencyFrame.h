@@ -17,13 +17,13 @@
 #define vtkTranslucencyFrame_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
-#include "vtkStorageAccounting.h"           // for the accesses
+#include "vtkTranslucencyPixels.h"
+#include "vtkTranslucencyStage.h"
 #include "vtkType.h"
 
 #include <array>
-#include <map>
+#include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 class vtkFragmentStorage;
@@ -31,103 +31,39 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderState;
 class vtkRenderer;
-class vtkTranslucencyBuffer;
-class vtkTranslucencyGLState;
-class vtkTranslucencyPass;
-class vtkTranslucencyPixels;
-class vtkTranslucencyTargets;
 class vtkShaderProgram;
+class vtkTranslucencyBuffer;
+class vtkTranslucencyFrameShaders;
+class vtkTranslucencyGLState;
+class vtkTranslucencyGeometry;
+class vtkTranslucencyPass;
+class vtkTranslucencyRecords;
+class vtkTranslucencyResolver;
+class vtkTranslucencyTargets;
+class vtkTranslucencyTiles;
+struct vtkTranslucencyResources;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyFrame
 {
 public:
   using Rectangle = std::array<int, 4>; // x, y, width, height in window pixels
+  using Defines = vtkTranslucencyShader::Defines;
+  using Uniforms = vtkTranslucencyShader::Uniforms;
+  using Gathering = vtkTranslucencyGathering;
+  using Stage = vtkTranslucencyStage;
+  using Blending = Stage::Blending;
+  using Buffer = Stage::Buffer;
+  using Input = Stage::Input;
+  using Faces = Stage::Faces;
+  using Part = Stage::Part;
+  using Fetched = vtkTranslucencyPixels::Fetched;
 
-  vtkTranslucencyFrame(vtkTranslucencyPass* pass, const vtkRenderState* state,
+  vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources, const vtkRenderState* state,
     vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found);
+  ~vtkTranslucencyFrame();
 
   /// Draws the translucent props into the storage, as often and in as many tiles as it takes for nothing to be lost.
   bool Gather(vtkFragmentStorage* storage);
-
-  using Defines = std::map<std::string, std::string>;
-  using Uniforms = std::map<std::string, std::variant<int, float>>;
-
-  /// What a technique without lists puts into the mappers' shaders. One text serves all stages of a frame, told apart by its uniform
-  /// gatherStage: mappers build their shaders anew when the text changes.
-  struct Gathering
-  {
-    std::string File; ///< gives gatherFragment(color, depth), with Outputs a third parameter: out vec4 outputs[Outputs]
-    Defines Values;
-    int Outputs = 0;       ///< colours that are drawn to targets
-    bool Critical = false; ///< whether it changes records of pixels under a critical section
-    bool Rejects = false;  ///< whether File gives rejectFragment(depth), too, which discards fragments before they are shaded
-  };
-
-  enum class Blending
-  {
-    Replace,          ///< fragments take the place of what is there
-    Add,              ///< all channels
-    AddAndAttenuate,  ///< colour is added, alpha multiplied with 1 - alpha
-    Attenuate,        ///< all channels are multiplied with 1 - themselves
-    Over,             ///< before what is there: front's colours, multiplied by their opacity, and opacity
-    Filter,           ///< colour before what is there, which is multiplied by a second source colour (Shaders/Common/Output.glsl)
-    Under,            ///< behind it: alpha is what is still seen, from 1 on
-    Minimum,
-    Maximum
-  };
-
-  /// How a buffer takes what is drawn to it, and what it holds before.
-  struct Buffer
-  {
-    Blending Blend;
-    std::array<float, 4> Clear;
-  };
-
-  /// A buffer that a stage reads, by the name of the sampler (Shaders/Common/Target.glsl).
-  struct Input
-  {
-    std::string Sampler;
-    const vtkTranslucencyTargets* From;
-    int Index;
-  };
-
-  enum class Faces
-  {
-    All = 0,
-    Back = 1,
-    Front = 2
-  };
-
-  /// A prop that is drawn by itself.
-  struct Part
-  {
-    vtkProp* Prop;
-    int Number; ///< what shaders see as their uniform gatherPart
-    Faces Drawn = Faces::All; ///< of its polygons; lines and points have no faces and are drawn in any case
-  };
-
-  /// One drawing of the translucent props, or of the screen.
-  struct Stage
-  {
-    int Number = 0;
-    std::vector<Part> Parts; ///< drawn in this order; empty: all props, in theirs
-    vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before (but see Cleared); null: colours go over the opaque picture
-    bool StoresOnly = false; ///< fragments draw no colours, though the gather has outputs for other stages
-    Blending Blend = Blending::Add;
-    bool HidesBehind = false; ///< fragments write depth, to a depth buffer of the targets that starts as the opaque one
-    std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
-    std::vector<Input> Inputs;
-    Uniforms Values;
-    std::map<int, Buffer> Differing; ///< buffers for which Blend and Clear don't hold: needs Capabilities.MissingForBuffers to be empty
-    int Cleared = VTK_INT_MAX; ///< how many of Targets are cleared, the first ones; the others keep what is in them, of earlier stages or frames
-  };
-
-  /// A record in colours: its words, of which the first ones are EMPTY_NUMBER before stage 0. Later stages go on with what that has left.
-  struct Fetched
-  {
-    int Words;
-    int Empty;
-  };
 
   /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
   ///
@@ -137,7 +73,7 @@ public:
   bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched = { 0, 0 });
 
   /// Whether the records last asked for lie in colours.
-  bool FetchesRecords() const { return this->FetchedRecords != nullptr; }
+  bool FetchesRecords() const;
 
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
@@ -149,8 +85,7 @@ public:
   std::vector<vtkProp*> GetProps() const;
   vtkRenderer* GetRenderer() const;
 
-  /// Between which depths the boxes of the translucent props lie, 0 at the near plane, 1 at the far plane, linear in the distance
-  /// (Shaders/Common/LinearDepth.glsl). All of it where a prop does not know its box.
+  /// Between which depths they lie: vtkTranslucencyScene.
   std::array<double, 2> GetDepthRange() const;
 
   /// Draws the translucent props. If any is given it becomes whether a fragment was left by the depth test and by the gather, which may
@@ -189,14 +124,14 @@ public:
   std::vector<vtkTypeUInt64> GetFingerprint() const;
 
   /// Of a pixel, as far as the window has several and the driver can tell them apart.
-  int GetSamples() const { return this->Samples; }
+  int GetSamples() const;
 
   /// How many transmittances of a pixel shaders tell apart (Shaders/Common/Channels.glsl): three, of red, green and blue, where a prop that is
   /// drawn has a transmission colour and the technique keeps them, else one.
-  int GetChannels() const { return this->Transmission == Transmissions::Colored ? 3 : 1; }
+  int GetChannels() const;
 
   /// How what Shaders/Common/Over.glsl gives is put over the opaque picture.
-  Blending GetOver() const { return this->GetChannels() == 3 ? Blending::Filter : Blending::Over; }
+  Blending GetOver() const;
 
   /// What the resolves that follow see: WholePixel, or one sample (Shaders/Common/Samples.glsl); and if among is a level, only squares
   /// with pixels that were left to that, too.
@@ -232,7 +167,10 @@ public:
   /// True while there are tiles left; makes the next one current.
   bool NextTile();
 
-  const Rectangle& GetTile() const { return this->Tile; }
+  /// What is drawn: all of it, and the current tile.
+  const Rectangle& GetViewport() const;
+  const Rectangle& GetTile() const;
+
   const std::string& GetError() const { return this->Error; }
 
   /// Says why a stage has failed; false, for the stage to return.
@@ -242,71 +180,24 @@ public:
   vtkTranslucencyFrame& operator=(const vtkTranslucencyFrame&) = delete;
 
 private:
-  class ScopedTimer;
-  class ScopedTextures;
-  class ScopedTargets;
-
-  friend class vtkTranslucencyPass;
-  static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
+  void ChooseSamples();
   void ChooseTransmission();
-  Defines GetOfferedDefines() const;
-  bool UseStatistics();
-  static void FinishStores();
-  void FinishRecords();
-  bool FetchPixels(vtkTranslucencyPixels& pixels, int words, vtkTypeInt64 limit);
-  Stage GetFetchedStage(const Stage& stage) const;
   bool Retrieve();
-  bool CountAccesses();
-  void ReportAccesses();
-  void UseWholeViewportIfItFits();
-  void UseWholeViewport();
-  void UseTile();
-  void CutTile(int parts);
-  bool NeedsDepthTest();
-  void PrepareDrawing();
-  void DrawVertices(unsigned int primitive, int count);
-  void DrawGeometry(const Stage& stage, bool colors, bool* any = nullptr);
-  void DrawProps(const vtkRenderState* state, const Stage& stage, bool colors, bool* any);
-  void DrawUnreached(vtkProp* prop, const Stage& stage, bool colors, bool* any);
-  vtkShaderProgram* PrepareHandOver();
   bool IsDrawn();
-  void PrepareColors(const Stage& stage);
-  void SetBlending(const Stage& stage);
-  void KeepBlending(const Stage& stage);
-  std::map<std::string, std::string> GetSelection() const;
-  bool DrawVolumes();
-  bool PrepareGather();
-  bool PrepareGather(const Gathering& gathering);
-  std::string GetMeanText() const;
-  vtkShaderProgram* PrepareProgram(
-    const std::string& vertexFile, const std::string& file, const Defines& defines);
+  void UseTile();
+  void FinishRecords();
+  vtkShaderProgram* PrepareProgram(const std::string& vertexFile, const std::string& file, const Defines& defines);
 
   vtkTranslucencyPass* Pass;
+  vtkTranslucencyResources& Resources;
+  vtkTranslucencyTiles& Tiles; // of the resources
   const vtkRenderState* State;
   vtkOpenGLRenderWindow* Window;
-  Rectangle Drawn; // the part of the viewport that the scissor test leaves
-  Rectangle Tile;
-  std::vector<Rectangle> Waiting; // tiles still to be drawn, the next one last
-  vtkTypeInt64 LastUnits; // of room, that fragments took in the frame before, all tiles
+  std::unique_ptr<vtkTranslucencyFrameShaders> Shaders;
+  std::unique_ptr<vtkTranslucencyGeometry> Geometry;
+  std::unique_ptr<vtkTranslucencyResolver> Resolver;
+  std::unique_ptr<vtkTranslucencyRecords> Records;
   vtkFragmentStorage* Storage = nullptr;
-  int Samples = 1; // of a pixel
-  int TargetSamples = 1; // the same, whether or not the driver can tell them apart
-  enum class Transmissions
-  {
-    None,
-    Mean, // of the transmission colours, where the technique keeps one channel
-    Colored
-  };
-  Transmissions Transmission = Transmissions::None;
-  bool Cut = false; // whether this frame has cut a tile
-  bool CountsStatistics = false; // whether a shader of this frame has counted any (Shaders/Common/Statistics.glsl)
-  bool HasRecords = false; // whether this frame has records of pixels in buffers,
-  vtkTranslucencyTargets* FetchedRecords = nullptr; // or in these colours,
-  int FetchedEmpty = 0; // of which so many words are empty in the beginning
-  int Sample = WholePixel; // that resolves see
-  int Among = -1;
-  vtkStorageAccounting::Histogram Counted; // where accesses are counted: of all tiles,
-  vtkStorageAccounting::Accesses Accesses; // and the accesses to them
   std::string Error;
 };
 

@@ -31,7 +31,7 @@ std::string vtkTranslucencyOption::Format(double value) const
 {
   if (this->Type == Kind::Choice)
   {
-    return this->Choices.at(static_cast<std::size_t>(value));
+    return value >= 0 && value < static_cast<double>(this->Choices.size()) ? this->Choices[static_cast<std::size_t>(value)] : "other";
   }
   std::ostringstream out;
   out << value;

@@ -35,7 +35,7 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
   /// "1..64", "linked-list or t-buffer": what a value has to be, for messages and help.
   std::string Range() const;
 
-  /// The value as text, as Parse takes it.
+  /// The value as text, as Parse takes it; "other" where it is none of the choices.
   std::string Format(double value) const;
 
   /// Reads a value; false, with the reason in error, if text is not a value in range.

@@ -1,36 +1,28 @@
 #include "vtkTranslucencyPass.h"
 
 #include "vtkTranslucencyFirstAttachment.h"
+#include "vtkTranslucencyFrame.h"
 #include "vtkTranslucencyGLState.h"
-#include "vtkTranslucencyInternals.h"
 #include "vtkTranslucencyOption.h"
+#include "vtkTranslucencyPeelingGuard.h"
 #include "vtkTranslucencyRenderStepsPass.h"
-#include "vtkTranslucencyShader.h"
+#include "vtkTranslucencyResources.h"
+#include "vtkTranslucencyTransmission.h"
 #include "vtkTranslucencyVTKVersion.h"
 
-#include "vtkAbstractMapper.h"
-#include "vtkActor.h"
 #include "vtkDepthPeelingPass.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkPointGaussianMapper.h"
 #include "vtkProp.h"
-#include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
-#include "vtkTextureUnitManager.h"
 #include "vtkTranslucentPass.h"
+#include "vtkVolumetricPass.h"
 
 #include <algorithm>
-#include <numeric>
-#include <regex>
+#include <functional>
 
 vtkInformationKeyRestrictedMacro(vtkTranslucencyPass, TRANSMISSION_COLOR, DoubleVector, 3);
 vtkCxxSetObjectMacro(vtkTranslucencyPass, TranslucentPass, vtkRenderPass);
@@ -49,61 +41,6 @@ bool HasTranslucentGeometry(const vtkRenderState* state)
   }
   return false;
 }
-
-// Draws these faces only, of them those that the actor's own culling leaves: set when the actor is about to be drawn, after its property.
-void CullFaces(vtkOpenGLState* state, vtkTranslucencyFrame::Faces drawn, vtkProp* prop)
-{
-  if (drawn == vtkTranslucencyFrame::Faces::All)
-  {
-    return;
-  }
-  const bool back = drawn == vtkTranslucencyFrame::Faces::Back;
-  auto* actor = vtkActor::SafeDownCast(prop);
-  const bool hidden =
-    actor && (back ? actor->GetProperty()->GetBackfaceCulling() : actor->GetProperty()->GetFrontfaceCulling());
-  state->vtkglEnable(GL_CULL_FACE);
-  state->vtkglCullFace(hidden ? GL_FRONT_AND_BACK : back ? GL_FRONT : GL_BACK);
-}
-
-// True if a fragment shader gives its fragments a depth of its own.
-bool SetsDepth(const std::string& fragmentShader)
-{
-  static const std::regex assignment("gl_FragDepth\\s*=[^=]");
-  return std::regex_search(fragmentShader, assignment);
-}
-
-bool HasTransmissionColor(vtkProp* prop)
-{
-  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  return keys && keys->Has(vtkTranslucencyPass::TRANSMISSION_COLOR());
-}
-
-// What VTK draws by adding it to the picture.
-bool IsEmissive(vtkProp* prop)
-{
-  auto* actor = vtkActor::SafeDownCast(prop);
-  auto* mapper = actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  return mapper && mapper->GetEmissive() && !HasTransmissionColor(prop);
-}
-
-// The same of a prop or one of its parts.
-bool HoldsEmissive(vtkProp* prop)
-{
-  if (vtkActor::SafeDownCast(prop) || HasTransmissionColor(prop))
-  {
-    return IsEmissive(prop);
-  }
-  vtkNew<vtkPropCollection> parts;
-  prop->GetActors(parts);
-  vtkCollectionSimpleIterator i;
-  parts->InitTraversal(i);
-  bool any = false;
-  while (vtkProp* part = parts->GetNextProp(i))
-  {
-    any = any || IsEmissive(part);
-  }
-  return any;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -114,30 +51,40 @@ public:
   static vtkTranslucencyStep* New();
   vtkTypeMacro(vtkTranslucencyStep, vtkRenderPass);
 
-  void Render(const vtkRenderState* state) override
-  {
-    vtkRenderPass* volumes = this->Pass->VolumetricPass;
-    this->Pass->RenderTranslucent(state, volumes ? volumes : this->Pass->Internal->VolumesAlone);
-    this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-  }
+  void Render(const vtkRenderState* state) override { this->NumberOfRenderedProps = this->Draw(state); }
 
-  vtkTranslucencyPass* Pass = nullptr;
+  std::function<int(const vtkRenderState*)> Draw; // gives the number of props
 };
 vtkStandardNewMacro(vtkTranslucencyStep);
-vtkStandardNewMacro(vtkTranslucencyHook);
+
+//------------------------------------------------------------------------------
+// What only the pass itself needs.
+struct vtkTranslucencyPass::Internals
+{
+  vtkTranslucencyResources Resources;
+
+  // Alone, the pass draws by these steps, of which it is one.
+  vtkSmartPointer<vtkTranslucencyRenderStepsPass> Steps;
+  vtkNew<vtkVolumetricPass> VolumesAlone;
+
+  vtkSmartPointer<vtkDepthPeelingPass> Peeling; // the fallback
+  vtkTranslucencyPeelingGuard Guard;
+
+  // What was last warned of: the reason for a fallback, and volumes that are drawn over the surfaces.
+  std::string Fallback;
+  std::string UndividedVolumes;
+};
 
 //------------------------------------------------------------------------------
 vtkTranslucencyPass::vtkTranslucencyPass()
   : Internal(new Internals)
 {
-  this->Internal->Hook->Pass = this;
   this->TranslucentPass = vtkTranslucentPass::New();
 }
 
 //------------------------------------------------------------------------------
 vtkTranslucencyPass::~vtkTranslucencyPass()
 {
-  this->Internal->Hook->Pass = nullptr;
   this->ReleaseGraphicsResources(nullptr);
   this->SetTranslucentPass(nullptr);
   this->SetVolumetricPass(nullptr);
@@ -148,7 +95,6 @@ void vtkTranslucencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeasureTimes: " << this->MeasureTimes << "\n";
-  os << indent << "CountAccesses: " << this->CountAccesses << "\n";
   os << indent << "CriticalSection: " << this->CriticalSection << "\n";
   os << indent << "TranslucentPass:\n";
   if (this->TranslucentPass)
@@ -161,13 +107,13 @@ void vtkTranslucencyPass::PrintSelf(ostream& os, vtkIndent indent)
     this->VolumetricPass->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "Statistics:\n";
-  this->Internal->Statistics->PrintSelf(os, indent.GetNextIndent());
+  this->Internal->Resources.Statistics->PrintSelf(os, indent.GetNextIndent());
 }
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  Internals& kept = *this->Internal;
+  vtkTranslucencyResources& kept = this->Internal->Resources;
   // OpenGL objects go with their context: where it is gone, or another has taken its place, nothing is left to delete.
   vtkOpenGLRenderWindow* owner = kept.Window;
   const bool alive = owner && kept.Context && owner->GetGenericContext() == kept.Context;
@@ -178,7 +124,7 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
   this->ReleaseTechniqueResources(alive);
   // VTK's passes want their window, also one that is about to go and has lost its weak pointers: not all that they have follows it.
   for (vtkRenderPass* pass : { static_cast<vtkRenderPass*>(this->TranslucentPass), this->VolumetricPass,
-         static_cast<vtkRenderPass*>(kept.Peeling), static_cast<vtkRenderPass*>(kept.Steps) })
+         static_cast<vtkRenderPass*>(this->Internal->Peeling), static_cast<vtkRenderPass*>(this->Internal->Steps) })
   {
     if (pass && window)
     {
@@ -186,48 +132,11 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
     }
   }
   kept.Release(alive);
+  this->Internal->Peeling = nullptr;
   if (alive)
   {
     owner->PopContext();
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyPass::Internals::Release(bool alive)
-{
-  this->FrameBlock.Release(alive);
-  this->StatisticsBlock.Release(alive);
-  this->SampleColors.Release(alive);
-  this->PixelFragments.Release(alive);
-  this->Unreached.Release();
-  this->Layers.Release(alive);
-  this->GatherKey.clear();
-  this->GatherText.clear();
-  this->Programs.clear();
-  this->Plan.clear();
-  if (this->VertexArray != 0 && alive)
-  {
-    glDeleteVertexArrays(1, &this->VertexArray);
-  }
-  this->VertexArray = 0;
-  // VTK's own objects follow their window by themselves.
-  this->OpaqueDepth = nullptr;
-  this->OpaqueFramebuffer = nullptr;
-  this->Peeling = nullptr;
-  this->Window = nullptr;
-  this->Context = nullptr;
-}
-
-//------------------------------------------------------------------------------
-const vtkTranslucencyPass::Internals::ResolveStatistics&
-vtkTranslucencyPass::Internals::GetResolveStatistics()
-{
-  if (!this->Resolved)
-  {
-    this->Resolved.emplace();
-    this->StatisticsBlock.Download(&*this->Resolved, sizeof(ResolveStatistics));
-  }
-  return *this->Resolved;
 }
 
 //------------------------------------------------------------------------------
@@ -340,22 +249,6 @@ std::string vtkTranslucencyPass::GetMissingForCriticalSection(vtkOpenGLRenderWin
 }
 
 //------------------------------------------------------------------------------
-const char* vtkTranslucencyPass::GetSelectedCriticalSection(const vtkTranslucencyCapabilities& capabilities) const
-{
-  switch (this->CriticalSection)
-  {
-    case Interlock:
-      return "Interlock";
-    case Spinlock:
-      return "Spinlock";
-    case Unprotected:
-      return "None";
-    default:
-      return capabilities.KeepsDrawOrder ? "None" : capabilities.Interlock.empty() ? "Spinlock" : "Interlock";
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double green, double blue)
 {
   if (!prop)
@@ -373,7 +266,7 @@ void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double
     }
   }
   double before[3];
-  if (HasTransmissionColor(prop) && GetTransmissionColor(prop, before) && before[0] == red && before[1] == green && before[2] == blue)
+  if (vtkTranslucencyTransmission::HasColor(prop) && GetTransmissionColor(prop, before) && before[0] == red && before[1] == green && before[2] == blue)
   {
     return;
   }
@@ -389,8 +282,8 @@ void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
 {
-  const double* kept = HasTransmissionColor(prop) ? prop->GetPropertyKeys()->Get(TRANSMISSION_COLOR()) : nullptr;
-  const double unset = IsEmissive(prop) ? 1 : 0;
+  const double* kept = vtkTranslucencyTransmission::HasColor(prop) ? prop->GetPropertyKeys()->Get(TRANSMISSION_COLOR()) : nullptr;
+  const double unset = vtkTranslucencyTransmission::IsEmissive(prop) ? 1 : 0;
   bool valid = true;
   for (int i = 0; i < 3; ++i)
   {
@@ -402,33 +295,10 @@ bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
 }
 
 //------------------------------------------------------------------------------
-vtkTranslucencyPass::Internals::Transmitting vtkTranslucencyPass::Internals::CountTransmitting(const vtkRenderState* state)
-{
-  Transmitting result;
-  for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
-  {
-    vtkProp* prop = vtkTranslucencyProp(state, i);
-    double color[3];
-    if (!GetTransmissionColor(prop, color))
-    {
-      result.Invalid = prop->GetClassName();
-    }
-    const bool emissive = HoldsEmissive(prop);
-    const bool transmits = emissive || color[0] > 0 || color[1] > 0 || color[2] > 0;
-    if (transmits && prop->HasTranslucentPolygonalGeometry())
-    {
-      ++result.Props;
-      result.Emissive += emissive ? 1 : 0;
-    }
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
 const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(
   vtkOpenGLRenderWindow* window)
 {
-  Internals& kept = *this->Internal;
+  vtkTranslucencyResources& kept = this->Internal->Resources;
   if (kept.Window != window || kept.Context != window->GetGenericContext())
   {
     this->ReleaseGraphicsResources(nullptr);
@@ -442,23 +312,27 @@ const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(
 //------------------------------------------------------------------------------
 vtkTranslucencyStatistics* vtkTranslucencyPass::GetStatistics()
 {
-  return this->Internal->Statistics;
+  return this->Internal->Resources.Statistics;
 }
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::RenderAlone(const vtkRenderState* state)
 {
-  Internals& kept = *this->Internal;
-  if (!kept.Steps)
+  vtkSmartPointer<vtkTranslucencyRenderStepsPass>& steps = this->Internal->Steps;
+  if (!steps)
   {
     vtkNew<vtkTranslucencyStep> step;
-    step->Pass = this;
-    kept.Steps = vtkSmartPointer<vtkTranslucencyRenderStepsPass>::New();
-    kept.Steps->SetTranslucentPass(step);
-    kept.Steps->SetVolumetricPass(nullptr);
+    step->Draw = [this](const vtkRenderState* drawn)
+    {
+      this->RenderTranslucent(drawn, this->VolumetricPass ? this->VolumetricPass : this->Internal->VolumesAlone);
+      return this->GetNumberOfRenderedProps();
+    };
+    steps = vtkSmartPointer<vtkTranslucencyRenderStepsPass>::New();
+    steps->SetTranslucentPass(step);
+    steps->SetVolumetricPass(nullptr);
   }
-  kept.Steps->RenderAlone(state);
-  this->NumberOfRenderedProps = kept.Steps->GetNumberOfRenderedProps();
+  steps->RenderAlone(state);
+  this->NumberOfRenderedProps = steps->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------
@@ -478,7 +352,7 @@ void vtkTranslucencyPass::Render(const vtkRenderState* state)
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass)
 {
-  Internals& kept = *this->Internal;
+  vtkTranslucencyResources& kept = this->Internal->Resources;
   vtkRenderer* renderer = state->GetRenderer();
   this->NumberOfRenderedProps = 0;
   kept.Statistics->Reset();
@@ -499,7 +373,7 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
       this->RenderFallback(state, volumetricPass, "the driver (" + driver + ") lacks " + missing, true);
       return;
     }
-    kept.Volumes.Find(state, volumetricPass, this->DividesVolumes());
+    kept.Mappers->GetVolumes().Find(state, volumetricPass, this->DividesVolumes());
     this->RenderGathered(state, window);
     return;
   }
@@ -518,7 +392,7 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
 std::string vtkTranslucencyPass::RenderTiles(const vtkRenderState* state, vtkOpenGLRenderWindow* window, bool& whole)
 {
   const vtkTranslucencyGLState found(window, true);
-  vtkTranslucencyFrame frame(this, state, window, found);
+  vtkTranslucencyFrame frame(this, this->Internal->Resources, state, window, found);
   std::string error;
   whole = true; // nothing has been composited yet
   int tiles = 0;
@@ -536,76 +410,53 @@ std::string vtkTranslucencyPass::RenderTiles(const vtkRenderState* state, vtkOpe
       frame.Blend();
     }
   }
-  this->Internal->Statistics->SetTiles(tiles);
-  if (error.empty())
-  {
-    frame.ReportAccesses();
-  }
+  this->Internal->Resources.Statistics->SetTiles(tiles);
   return error;
-}
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyPass::Internals::DrawReached(const vtkRenderState* state)
-{
-  this->Hook->PreRender(state);
-  this->Gathering = true;
-  this->Hook->Pass->TranslucentPass->Render(state);
-  this->Gathering = false;
-  this->Hook->PostRender(state);
 }
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPass::FindUnreached(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
 {
-  Internals& kept = *this->Internal;
+  vtkTranslucencyResources& kept = this->Internal->Resources;
   if (!kept.Unreached.TakeMissed())
   {
     return false;
   }
   const vtkTranslucencyGLState found(window, true);
-  const std::string props =
-    kept.Unreached.Find(state, window, [&kept](const vtkRenderState* one) { kept.DrawReached(one); });
-  this->WarnOfUnreached(props);
+  const std::string props = kept.Unreached.Find(
+    state, window, [&](const vtkRenderState* one) { kept.Mappers->Draw(one, this->TranslucentPass); });
+  kept.Unreached.Warn(this, props);
   return !props.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyPass::WarnOfUnreached(const std::string& props)
-{
-  if (!props.empty() && this->Internal->UnreachedKinds.insert(props).second)
-  {
-    vtkWarningMacro(<< props << " draws by shaders that the pass can't reach, those of actors within it or of the user's own; it is drawn by "
-                    << "itself, once for each of its layers, which are then among all others");
-  }
 }
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
 {
-  Internals& kept = *this->Internal;
-  kept.Unreached.LookAgain(state, window, [&kept](const vtkRenderState* one) { kept.DrawReached(one); });
+  vtkTranslucencyResources& kept = this->Internal->Resources;
+  kept.Unreached.LookAgain(
+    state, window, [&](const vtkRenderState* one) { kept.Mappers->Draw(one, this->TranslucentPass); });
   bool whole = true;
   std::string error = this->RenderTiles(state, window, whole);
   while (whole && this->FindUnreached(state, window))
   {
     error = this->RenderTiles(state, window, whole);
   }
-  kept.Statistics->SetFragments(kept.PlanFragments);
-  kept.Statistics->SetBytes(
-    kept.FrameBlock.GetBytes() + kept.StatisticsBlock.GetBytes() + kept.SampleColors.GetBytes() +
-    kept.PixelFragments.GetBytes() + kept.Layers.GetBytes() + this->GetTechniqueBytes());
+  vtkTranslucencyVolumes& volumes = kept.Mappers->GetVolumes();
+  kept.Statistics->SetShaderBuilds(kept.Mappers->TakeShaderBuilds());
+  kept.Statistics->SetFragments(kept.Tiles.GetFragments());
+  kept.Statistics->SetBytes(kept.GetBytes() + this->GetTechniqueBytes());
   kept.Statistics->SetGatherTime(kept.GatherTime);
   kept.Statistics->SetResolveTime(kept.ResolveTime);
-  kept.Statistics->SetDeepestPixel(kept.GetResolveStatistics().DeepestPixel);
+  kept.Statistics->SetDeepestPixel(kept.Resolved.GetDeepestPixel());
   this->NumberOfRenderedProps =
-    kept.RenderedProps + static_cast<int>(kept.Volumes.GetProps().size());
-  if (kept.GetResolveStatistics().Unfinished)
+    kept.RenderedProps + static_cast<int>(volumes.GetProps().size());
+  if (kept.Resolved.IsUnfinished())
   {
     vtkErrorMacro(<< "a pixel has more fragments than the driver's loops can take; it is drawn incompletely");
   }
   if (!error.empty() && whole)
   {
-    this->RenderFallback(state, kept.Volumes.GetPass(), error, false);
+    this->RenderFallback(state, volumes.GetPass(), error, false);
     return;
   }
   if (!error.empty())
@@ -613,52 +464,53 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
     vtkErrorMacro(<< error << "; part of the picture is drawn by blending");
     kept.Statistics->SetFallback("blending");
   }
-  const std::string undivided = kept.Volumes.DrawUndivided(state);
-  if (!undivided.empty() && undivided != kept.UndividedVolumes)
+  const std::string undivided = volumes.DrawUndivided(state);
+  if (!undivided.empty() && undivided != this->Internal->UndividedVolumes)
   {
     const std::string expected = this->DividesVolumes()
       ? "expected those of vtkGPUVolumeRayCastMapper with an ImageSampleDistance of 1, not within assemblies"
       : "only techniques that keep all fragments divide them, as exact and adaptive do";
     vtkWarningMacro(<< "volumes of " << undivided << " are drawn over the translucent surfaces: " << expected);
   }
-  kept.UndividedVolumes = undivided;
+  this->Internal->UndividedVolumes = undivided;
 }
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass,
   const std::string& reason, bool lacking)
 {
-  Internals& kept = *this->Internal;
+  vtkTranslucencyResources& kept = this->Internal->Resources;
+  vtkSmartPointer<vtkDepthPeelingPass>& peeling = this->Internal->Peeling;
   const vtkTranslucencyGLState found(kept.Window, kept.Capabilities.MissingForStorage.empty());
   // Depth peeling copies the depth buffer, which fails where it is multi-sampled: nothing would be drawn.
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool peel = samples == 0;
   const std::string instead = reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") + " instead" +
-    (Internals::CountTransmitting(state).Props > 0 ? ", without transmission colours" : "");
-  if (kept.Warned != reason && lacking)
+    (vtkTranslucencyTransmission::CountProps(state).Props > 0 ? ", without transmission colours" : "");
+  if (this->Internal->Fallback != reason && lacking)
   {
     vtkWarningMacro(<< instead);
   }
-  else if (kept.Warned != reason)
+  else if (this->Internal->Fallback != reason)
   {
     vtkErrorMacro(<< instead);
   }
-  kept.Warned = reason;
+  this->Internal->Fallback = reason;
   kept.Statistics->SetFallback(peel ? "peeling" : "blending");
   vtkRenderPass* drawing = this->TranslucentPass;
   if (peel)
   {
-    if (!kept.Peeling)
+    if (!peeling)
     {
       // Not dual depth peeling, which ends too early in front of opaque surfaces (vtkStockPeelingPass).
-      kept.Peeling = vtkSmartPointer<vtkDepthPeelingPass>::New();
-      kept.Peeling->SetMaximumNumberOfPeels(VTK_INT_MAX); // until every pixel is done
-      kept.Peeling->SetOcclusionRatio(0);
+      peeling = vtkSmartPointer<vtkDepthPeelingPass>::New();
+      peeling->SetMaximumNumberOfPeels(VTK_INT_MAX); // until every pixel is done
+      peeling->SetOcclusionRatio(0);
     }
-    kept.Peeling->SetTranslucentPass(this->TranslucentPass);
-    drawing = kept.Peeling;
-    const std::string warning = kept.Guard.Render(kept.Peeling, state, kept.Window, [&] { drawing->Render(state); });
+    peeling->SetTranslucentPass(this->TranslucentPass);
+    drawing = peeling;
+    const std::string warning = this->Internal->Guard.Render(peeling, state, kept.Window, [&] { drawing->Render(state); });
     if (!warning.empty())
     {
       vtkWarningMacro(<< warning);
@@ -674,214 +526,4 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
     volumetricPass->Render(state);
     this->NumberOfRenderedProps += volumetricPass->GetNumberOfRenderedProps();
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkTranslucencyPass::PreReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
-{
-  Internals& kept = *this->Internal;
-  if (!kept.Gathering || !vtkTranslucencyVolumes::IsRayCaster(mapper))
-  {
-    return true;
-  }
-  kept.Statistics->SetShaderBuilds(kept.Statistics->GetShaderBuilds() + 1);
-  return kept.Volumes.PreReplaceShaderValues(fragmentShader, mapper->GetClassName(), kept.GatherError);
-}
-
-//------------------------------------------------------------------------------
-bool vtkTranslucencyPass::PostReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
-{
-  Internals& kept = *this->Internal;
-  if (!kept.Gathering)
-  {
-    return true;
-  }
-  if (vtkTranslucencyVolumes::IsRayCaster(mapper))
-  {
-    return kept.Volumes.PostReplaceShaderValues(fragmentShader, mapper->GetClassName(), kept.GatherError);
-  }
-  kept.Statistics->SetShaderBuilds(kept.Statistics->GetShaderBuilds() + 1);
-  this->InsertGather(fragmentShader, mapper->GetClassName()); // what it can't be put into is met when it is drawn by
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTranslucencyPass::InsertGather(std::string& fragmentShader, const std::string& who)
-{
-  const Internals& kept = *this->Internal;
-  const bool setsDepth = SetsDepth(fragmentShader);
-  std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
-  std::string declarations = kept.GatherText;
-  const bool tests = setsDepth && kept.GatherStores;
-  if (tests)
-  {
-    vtkTranslucencyShader test;
-    test.Assemble("Common/OpaqueDepth.glsl", {});
-    declarations += test.GetText();
-  }
-  else if (kept.GatherStores)
-  {
-    system += "layout(early_fragment_tests) in;\n#ifdef GL_ARB_post_depth_coverage\n"
-              "layout(post_depth_coverage) in;\n#endif\n"; // the samples that pass the test
-  }
-  const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
-  const std::string call = std::regex_replace(kept.GatherCall, std::regex("GATHERED_DEPTH"), depth);
-  const std::string reject = std::string(tests ? "if (behindOpaque(gl_FragDepth)) { discard; }\n" : "") +
-    (kept.GatherRejects ? "rejectFragment(" + depth + ");\n" : "");
-
-  std::string text = fragmentShader;
-  std::string error;
-  using Shader = vtkTranslucencyShader;
-  if (!Shader::Substitute(text, "//VTK::System::Dec", system, who, error) ||
-    !Shader::Substitute(text, "//VTK::DepthPeeling::Dec", declarations, who, error) ||
-    !Shader::Substitute(text, "//VTK::DepthPeeling::Impl", call, who, error) ||
-    !(reject.empty() || Shader::Substitute(text, "//VTK::DepthPeeling::PreColor", reject, who, error)))
-  {
-    return false;
-  }
-  fragmentShader = kept.GatherFetches ? Shader::FreeOutputs(text) : text;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTranslucencyPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
-{
-  Internals& kept = *this->Internal;
-  if (!kept.Gathering)
-  {
-    return true;
-  }
-  if (vtkTranslucencyVolumes::IsRayCaster(mapper))
-  {
-    kept.Volumes.SetShaderParameters(program);
-    return true;
-  }
-  // vtkOpenGLImageSliceMapper turns it on and, like the mappers of points and edges, leaves it on.
-  kept.Window->GetState()->vtkglDepthMask(kept.GatherWritesDepth ? GL_TRUE : GL_FALSE);
-  kept.KeepGatherBlending(); // vtkPointGaussianMapper has set its own, if it is emissive
-  CullFaces(kept.Window->GetState(), kept.GatherFaces, prop);
-  vtkTranslucencyFrame::SetUniforms(program, kept.GatherUniforms);
-  if (program->IsUniformUsed("gatherTransmission"))
-  {
-    double color[3];
-    GetTransmissionColor(prop, color);
-    program->SetUniform3f("gatherTransmission", color);
-  }
-  const char* sampler = "translucencyOpaqueDepth";
-  if (!program->IsUniformUsed(sampler))
-  {
-    return true;
-  }
-  if (!kept.OpaqueDepthCaptured && !kept.CaptureOpaqueDepth())
-  {
-    kept.GatherError = "the depth buffer can't be copied";
-    return false;
-  }
-  program->SetUniformi(sampler, kept.OpaqueDepthUnit);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTranslucencyPass::Internals::CaptureOpaqueDepth()
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  const int width = this->Viewport[0] + this->Viewport[2];
-  const int height = this->Viewport[1] + this->Viewport[3];
-  if (!this->OpaqueDepth)
-  {
-    this->OpaqueDepth = vtkSmartPointer<vtkTextureObject>::New();
-    this->OpaqueDepth->SetContext(this->Window);
-    this->OpaqueDepth->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->OpaqueDepth->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->OpaqueFramebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->OpaqueFramebuffer->SetContext(this->Window);
-  }
-
-  // A depth buffer can be copied to one of its own format only.
-  GLint drawn = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
-  const auto query = [drawn](GLenum name, GLenum attachment) {
-    GLint value = 0;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
-    return value;
-  };
-  const GLint bits =
-    query(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, drawn ? GL_DEPTH_ATTACHMENT : GL_DEPTH);
-  const GLint type =
-    query(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, drawn ? GL_DEPTH_ATTACHMENT : GL_DEPTH);
-  const bool stencil =
-    query(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, drawn ? GL_STENCIL_ATTACHMENT : GL_STENCIL) != GL_NONE;
-  if (static_cast<int>(this->OpaqueDepth->GetWidth()) != width ||
-    static_cast<int>(this->OpaqueDepth->GetHeight()) != height || bits != this->OpaqueDepthBits)
-  {
-    this->OpaqueDepthBits = bits;
-    // VTK makes textures in the next free unit, and leaves them bound there.
-    vtkTextureUnitManager* units = this->Window->GetTextureUnitManager();
-    const int unit = units->Allocate();
-    units->Free(unit);
-    state->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + unit));
-    GLint bound = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-    if (stencil)
-    {
-      this->OpaqueDepth->AllocateDepthStencil(width, height);
-    }
-    else
-    {
-      this->OpaqueDepth->AllocateDepth(width, height,
-        type == GL_FLOAT ? vtkTextureObject::Float32
-          : bits == 32   ? vtkTextureObject::Fixed32
-          : bits == 24   ? vtkTextureObject::Fixed24
-                         : vtkTextureObject::Fixed16);
-    }
-    this->OpaqueDepth->Deactivate();
-    state->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + unit));
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
-  }
-
-  state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(drawn));
-  this->OpaqueFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-  this->OpaqueFramebuffer->AddDepthAttachment(this->OpaqueDepth);
-  while (glGetError() != GL_NO_ERROR)
-  {
-    // an older error is not this copy's
-  }
-  const auto& from = this->Viewport;
-  glDisable(GL_SCISSOR_TEST);
-  glBlitFramebuffer(from[0], from[1], width, height, from[0], from[1], width, height,
-    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  glEnable(GL_SCISSOR_TEST);
-  const bool copied = glGetError() == GL_NO_ERROR;
-  state->PopFramebufferBindings();
-  this->ActivateOpaqueDepth();
-  this->OpaqueDepth->SendParameters();
-  this->OpaqueDepthCaptured = true;
-  return copied;
-}
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyPass::Internals::ActivateOpaqueDepth()
-{
-  this->OpaqueDepthUnit = this->Window->GetTextureUnitManager()->Allocate();
-  this->Window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + this->OpaqueDepthUnit));
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &this->OpaqueDepthUnitBefore);
-  glBindTexture(GL_TEXTURE_2D, this->OpaqueDepth->GetHandle());
-}
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyPass::Internals::DeactivateOpaqueDepth()
-{
-  this->Window->GetState()->vtkglActiveTexture(static_cast<unsigned int>(GL_TEXTURE0 + this->OpaqueDepthUnit));
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(this->OpaqueDepthUnitBefore));
-  this->Window->GetTextureUnitManager()->Free(this->OpaqueDepthUnit);
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkTranslucencyPass::GetShaderStageMTime()
-{
-  return this->Internal->GatherTextTime;
 }

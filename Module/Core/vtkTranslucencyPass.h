@@ -108,16 +108,6 @@ public:
   vtkBooleanMacro(MeasureTimes, bool);
   ///@}
 
-  ///@{
-  /**
-   * Whether techniques that keep all fragments count the accesses to their storage, for the statistics. Off by default: each frame then reads all fragments
-   * once more, and fragments are stored by other shaders than without.
-   */
-  vtkSetMacro(CountAccesses, bool);
-  vtkGetMacro(CountAccesses, bool);
-  vtkBooleanMacro(CountAccesses, bool);
-  ///@}
-
   /**
    * What the last frame drew and cost. Asking waits for that frame to end; the window's context must be current, as it is
    * after Render().
@@ -173,15 +163,6 @@ public:
    */
   virtual bool KeepsTransmissionColors() const { return false; }
 
-  // vtkOpenGLRenderPass
-  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-
 protected:
   vtkTranslucencyPass();
   ~vtkTranslucencyPass() override;
@@ -223,30 +204,21 @@ protected:
   vtkRenderPass* TranslucentPass = nullptr;
   vtkRenderPass* VolumetricPass = nullptr;
   bool MeasureTimes = false;
-  bool CountAccesses = false;
   int CriticalSection = Automatic;
 
 private:
   vtkTranslucencyPass(const vtkTranslucencyPass&) = delete;
   void operator=(const vtkTranslucencyPass&) = delete;
 
-  // A file of Shaders/CriticalSection.
-  const char* GetSelectedCriticalSection(const vtkTranslucencyCapabilities& capabilities) const;
-
   void RenderAlone(const vtkRenderState* state);
   void RenderGathered(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
-  // Puts the gather's text into a fragment shader that has VTK's marks for it. False, and the shader as it was, if it lacks one.
-  bool InsertGather(std::string& fragmentShader, const std::string& who);
   // Draws all tiles. Gives what went wrong; whole becomes whether that was before anything was composited.
   std::string RenderTiles(const vtkRenderState* state, vtkOpenGLRenderWindow* window, bool& whole);
   // Whether props were met that the text doesn't reach; those are known from then on.
   bool FindUnreached(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
-  void WarnOfUnreached(const std::string& props);
   // Says why, once: a warning if the driver lacks something, an error if something went wrong.
   void RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);
 
-  friend class vtkTranslucencyFrame;
-  friend class vtkTranslucencyStep;
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

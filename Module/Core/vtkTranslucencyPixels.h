@@ -31,6 +31,14 @@ public:
   /// Makes room in buffers, with all counts 0, and binds it. False if there is no memory for it.
   bool Begin(const Size& size);
 
+  /// A record in colours: its words, of which the first ones are EMPTY_NUMBER before stage 0. Later stages go on with what that has left. No words: it lies in
+  /// buffers in any case.
+  struct Fetched
+  {
+    int Words;
+    int Empty;
+  };
+
   /// How many colours have room for that many words, and what they take in a framebuffer.
   static int CountTargets(int words);
   static vtkTypeInt64 GetTargetBytes(int width, int height, int words);

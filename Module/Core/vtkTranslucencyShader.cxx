@@ -174,6 +174,27 @@ std::string vtkTranslucencyShader::FreeOutputs(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyShader::SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms)
+{
+  for (const auto& uniform : uniforms)
+  {
+    const char* name = uniform.first.c_str();
+    if (!program->IsUniformUsed(name))
+    {
+      continue;
+    }
+    if (const int* integer = std::get_if<int>(&uniform.second))
+    {
+      program->SetUniformi(name, *integer);
+    }
+    else
+    {
+      program->SetUniformf(name, std::get<float>(uniform.second));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyShader::Substitute(std::string& text, const std::string& anchor,
   const std::string& replacement, const std::string& who, std::string& error)
 {

@@ -14,12 +14,16 @@
 
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
+
+class vtkShaderProgram;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyShader
 {
 public:
   using Defines = std::map<std::string, std::string>;
+  using Uniforms = std::map<std::string, std::variant<int, float>>;
   using Selection = std::map<std::string, std::string>; // of a folder, the file that Selected stands for
 
   /// Assembles a file and all that it includes, behind the defines. `Storage/Selected` in an include stands for
@@ -38,6 +42,9 @@ public:
   /// Compiles the text, with main behind it; false, with messages that name file and line in GetError(), if that fails. A
   /// context must be current.
   bool Validate(const std::string& main, vtkShader::Type type = vtkShader::Fragment);
+
+  /// Gives a program those of the uniforms that it uses.
+  static void SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms);
 
   /// Replaces anchor in text; false, with the reason in error, if the anchor is not there. who is named in the error.
   static bool Substitute(std::string& text, const std::string& anchor, const std::string& replacement,

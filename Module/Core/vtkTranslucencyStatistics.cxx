@@ -17,9 +17,6 @@ void vtkTranslucencyStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShaderBuilds: " << this->ShaderBuilds << "\n";
   os << indent << "GatherTime: " << this->GatherTime << "\n";
   os << indent << "ResolveTime: " << this->ResolveTime << "\n";
-  os << indent << "Accesses: " << this->GetAccesses() << "\n";
-  os << indent << "PackedBytes: " << this->PackedBytes << "\n";
-  os << indent << "SectionLength: " << this->SectionLength << "\n";
   os << indent << "Fallback: " << this->Fallback << "\n";
 }
 
@@ -36,10 +33,6 @@ void vtkTranslucencyStatistics::Reset()
   this->GatherTime = -1;
   this->ResolveTime = -1;
   this->Fallback.clear();
-  this->Histogram = {};
-  this->Accesses = {};
-  this->SectionLength = 0;
-  this->PackedBytes = -1;
   this->Modified();
 }
 
@@ -56,31 +49,5 @@ void vtkTranslucencyStatistics::Copy(vtkTranslucencyStatistics* others)
   this->GatherTime = others->GatherTime;
   this->ResolveTime = others->ResolveTime;
   this->Fallback = others->Fallback;
-  this->Histogram = others->Histogram;
-  this->Accesses = others->Accesses;
-  this->SectionLength = others->SectionLength;
-  this->PackedBytes = others->PackedBytes;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkTranslucencyStatistics::GetPixelsHolding(vtkTypeInt64 fragments) const
-{
-  const auto found = this->Histogram.Pixels.find(fragments);
-  return this->Count(found == this->Histogram.Pixels.end() ? 0 : found->second);
-}
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyStatistics::SetStorageCounts(vtkStorageAccounting::Design design, int sectionLength,
-  const vtkStorageAccounting::Histogram& histogram, const vtkStorageAccounting::Accesses& accesses)
-{
-  this->Histogram = histogram;
-  this->Accesses = accesses;
-  this->SectionLength = sectionLength;
-  vtkStorageAccounting::Settings settings;
-  settings.TSectionLength = sectionLength;
-  settings.MSectionLength = sectionLength;
-  const vtkStorageAccounting accounting(settings, { histogram });
-  this->PackedBytes = accounting.GetError().empty() ? accounting.GetCost(design, 0).Bytes : -1;
   this->Modified();
 }

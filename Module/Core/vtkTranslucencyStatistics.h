@@ -9,7 +9,6 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
-#include "vtkStorageAccounting.h"           // for the storage's accesses
 
 #include <string> // for Fallback
 
@@ -54,35 +53,6 @@ public:
   vtkGetMacro(ResolveTime, double);
   vtkSetMacro(ResolveTime, double);
 
-  ///@{
-  /**
-   * Accesses to the fragment storage, as shaders have counted them if vtkTranslucencyPass::CountAccesses is on; -1 else, and for techniques without one. All
-   * fragments are stored and read once (vtkStorageAccounting says what counts); techniques may read them more often than that. Volumes' fragments are
-   * inserted behind the R-buffer's passes: stored, but not among its reads and what these access.
-   */
-  vtkTypeInt64 GetStores() const { return this->Count(this->Accesses.Stores); }
-  vtkTypeInt64 GetReads() const { return this->Count(this->Accesses.Reads); }
-  vtkTypeInt64 GetTableAccesses() const { return this->Count(this->Accesses.Table); }
-  vtkTypeInt64 GetSecondDepthAccesses() const { return this->Count(this->Accesses.SecondDepth); }
-  vtkTypeInt64 GetFrameBufferAccesses() const { return this->Count(this->Accesses.FrameBuffer); }
-  vtkTypeInt64 GetAccesses() const { return this->Count(this->Accesses.GetTotal()); }
-  ///@}
-
-  /// Bytes that hardware built for it would take for these fragments (vtkStorageAccounting, with its own packing); -1 if they were not counted.
-  vtkGetMacro(PackedBytes, double);
-
-  /// Fragments in a section of the storage, 1 where it has none; 0 if they were not counted.
-  vtkGetMacro(SectionLength, int);
-
-  /// Pixels that hold that many fragments, 1 or more; -1 if they were not counted.
-  vtkTypeInt64 GetPixelsHolding(vtkTypeInt64 fragments) const;
-
-#ifndef __VTK_WRAP__
-  const vtkStorageAccounting::Histogram& GetHistogram() const { return this->Histogram; }
-  void SetStorageCounts(vtkStorageAccounting::Design design, int sectionLength, const vtkStorageAccounting::Histogram& histogram,
-    const vtkStorageAccounting::Accesses& accesses);
-#endif
-
   /// Empty, or what was drawn instead of the technique: "peeling" or "blending".
   vtkGetMacro(Fallback, std::string);
   vtkSetMacro(Fallback, std::string);
@@ -109,13 +79,6 @@ protected:
   std::string Fallback;
 
 private:
-  vtkTypeInt64 Count(vtkTypeInt64 number) const { return this->SectionLength > 0 ? number : -1; }
-
-  vtkStorageAccounting::Histogram Histogram;
-  vtkStorageAccounting::Accesses Accesses;
-  int SectionLength = 0;
-  double PackedBytes = -1;
-
   vtkTranslucencyStatistics(const vtkTranslucencyStatistics&) = delete;
   void operator=(const vtkTranslucencyStatistics&) = delete;
 };

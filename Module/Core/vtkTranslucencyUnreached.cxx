@@ -151,6 +151,17 @@ std::string vtkTranslucencyUnreached::LookAhead(
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyUnreached::Warn(vtkObject* pass, const std::string& descriptions)
+{
+  if (!descriptions.empty() && this->Warned.insert(descriptions).second)
+  {
+    vtkWarningWithObjectMacro(pass,
+      << descriptions << " draws by shaders that the pass can't reach, those of actors within it or of the user's own; it is drawn by "
+      << "itself, once for each of its layers, which are then among all others");
+  }
+}
+
+//------------------------------------------------------------------------------
 const vtkTranslucencyUnreached::Known* vtkTranslucencyUnreached::FindKnown(vtkProp* prop) const
 {
   const auto known = this->Props.find(prop);

@@ -18,9 +18,11 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+class vtkObject;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderState;
@@ -53,6 +55,9 @@ public:
   /// Looks at all props that it has not looked at since they changed, in a drawing of its own. Gives the descriptions of those found.
   std::string LookAhead(const vtkRenderState* state, vtkOpenGLRenderWindow* window, const Drawing& draw);
 
+  /// Warns of props so described, in the name of a pass, once.
+  void Warn(vtkObject* pass, const std::string& descriptions);
+
   bool Has(vtkProp* prop) const;
 
   vtkTranslucencyShaderWatch* GetWatch() { return this->ShaderWatch; }
@@ -80,6 +85,7 @@ private:
   std::map<vtkShaderProgram*, bool> HasText;
   std::map<vtkProp*, Known> Props; // at an address there may be another one by now
   bool Missed = false;
+  std::set<std::string> Warned; // of these
 };
 
 #endif

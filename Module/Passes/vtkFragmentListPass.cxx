@@ -1,9 +1,11 @@
 #include "vtkFragmentListPass.h"
 
 #include "Common/Bindings.glsl"
+#include "vtkCellStorage.h"
 #include "vtkLinkedListStorage.h"
 #include "vtkMBufferStorage.h"
 #include "vtkRBufferStorage.h"
+#include "vtkStorageDesign.h"
 #include "vtkTBufferStorage.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFrame.h"
@@ -13,13 +15,7 @@
 
 namespace
 {
-using Design = vtkStorageAccounting::Design;
-
-// In the order of StorageDesignType.
-const std::vector<Design>& Designs()
-{
-  return vtkStorageAccounting::GetDesigns();
-}
+using Design = vtkStorageDesign::Kind;
 
 vtkSmartPointer<vtkFragmentStorage> NewStorage(Design design)
 {
@@ -91,7 +87,7 @@ void vtkFragmentListPass::SetStorageDesign(int design)
   }
   if (this->GetStorageDesign() != design)
   {
-    const auto storage = NewStorage(Designs().at(static_cast<std::size_t>(design)));
+    const auto storage = NewStorage(vtkStorageDesign::GetAll().at(static_cast<std::size_t>(design)));
     storage->SetColorFormat(this->Storage->GetColorFormat());
     storage->SetMemoryLimit(this->Storage->GetMemoryLimit());
     this->SetStorage(storage);
@@ -102,7 +98,8 @@ void vtkFragmentListPass::SetStorageDesign(int design)
 //------------------------------------------------------------------------------
 int vtkFragmentListPass::GetStorageDesign()
 {
-  return static_cast<int>(std::find(Designs().begin(), Designs().end(), this->Storage->GetDesign()) - Designs().begin());
+  auto* storage = vtkCellStorage::SafeDownCast(this->Storage);
+  return storage ? static_cast<int>(storage->GetDesign()) : -1;
 }
 
 //------------------------------------------------------------------------------
@@ -141,9 +138,9 @@ std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
     "where fragments lie until they are resolved: the picture is the same",
     [this] { return this->GetStorageDesign(); },
     [this](double value) { this->SetStorageDesign(static_cast<int>(value)); } };
-  for (Design choice : Designs())
+  for (Design choice : vtkStorageDesign::GetAll())
   {
-    design.Choices.push_back(vtkStorageAccounting::GetName(choice));
+    design.Choices.push_back(vtkStorageDesign::GetName(choice));
   }
   std::vector<vtkTranslucencyOption> options{ design,
     { "SectionLength", "section_length", Kind::Integer, 4, 1, vtkSectionStorage::LongestSection, {},
@@ -181,11 +178,11 @@ bool vtkFragmentListPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   if (this->SectionLengthGiven && !this->SectionLengthWarned && !vtkSectionStorage::SafeDownCast(this->Storage))
   {
-    vtkWarningMacro(<< "SectionLength is " << this->SectionLength << ", but " << vtkStorageAccounting::GetName(this->Storage->GetDesign())
+    vtkWarningMacro(<< "SectionLength is " << this->SectionLength << ", but " << this->GetOption("storage")
                     << " has no sections, expected the storage t-buffer or m-buffer");
     this->SectionLengthWarned = true;
   }
-  return frame.Gather(this->Storage) && frame.ReserveSampleColors() && this->ResolveLists(frame) &&
+  return frame.Gather(this->Storage) && this->UseLists(frame) && frame.ReserveSampleColors() && this->ResolveLists(frame) &&
     (!frame.IsLeftTo(LEVEL_EACH_SAMPLE) || this->ResolveEachSample(frame)) &&
     (!frame.IsLeftTo(LEVEL_SAMPLES) || frame.CompositeSamples());
 }

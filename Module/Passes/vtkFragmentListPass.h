@@ -36,8 +36,8 @@ public:
 
   ///@{
   /**
-   * The design of the storage: LinkedList (the default), TBuffer, RBuffer or MBuffer. Another design makes a new storage, with the colour format and the
-   * memory limit of the one before. Another value is an error and changes nothing.
+   * The design of the storage (in the order of vtkStorageDesign): LinkedList (the default), TBuffer, RBuffer or MBuffer. Another design makes a new storage, with the colour format and the
+   * memory limit of the one before. Another value is an error and changes nothing. -1 where SetStorage has given one of none of these designs.
    */
   void SetStorageDesign(int design);
   int GetStorageDesign();
@@ -88,6 +88,11 @@ protected:
    * pixel, whatever registers and a driver's loops can take. The last resolve of every technique.
    */
   bool ResolveLeftLists(vtkTranslucencyFrame& frame);
+
+  /**
+   * What is done with the fragments of the current tile before they are resolved: for passes that look at them.
+   */
+  virtual bool UseLists(vtkTranslucencyFrame& vtkNotUsed(frame)) { return true; }
 
   /**
    * Draws what the storage holds of the current tile: the resolves of the technique, which see the whole pixel or one sample of it.

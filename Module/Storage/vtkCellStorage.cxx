@@ -60,6 +60,7 @@ void vtkCellStorage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InitialFragments: " << this->InitialFragments << "\n";
+  os << indent << "CountAccesses: " << this->CountAccesses << "\n";
   os << indent << "Fragments: " << this->Fragments << "\n";
   os << indent << "Bytes: " << this->GetBytes() << "\n";
 }
@@ -145,6 +146,7 @@ vtkTypeInt64 vtkCellStorage::GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pi
 std::map<std::string, std::string> vtkCellStorage::GetDefines() const
 {
   std::map<std::string, std::string> defines = this->Superclass::GetDefines();
+  defines["COUNT_ACCESSES"] = this->CountAccesses ? "1" : "0";
   defines["UNITS_ARE_FRAGMENTS"] = this->UnitsAreFragments() ? "1" : "0";
   return defines;
 }
@@ -487,9 +489,9 @@ int vtkCellStorage::GetMostExpected() const
 }
 
 //------------------------------------------------------------------------------
-vtkStorageAccounting::Accesses vtkCellStorage::GetAccesses() const
+vtkStorageDesign::Accesses vtkCellStorage::GetAccesses() const
 {
-  vtkStorageAccounting::Accesses accesses;
+  vtkStorageDesign::Accesses accesses;
   const std::vector<unsigned int> cells = this->ReadCells();
   for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
   {

@@ -15,6 +15,7 @@
 #define vtkCellStorage_h
 
 #include "vtkFragmentStorage.h"
+#include "vtkStorageDesign.h" // for GetDesign
 #include "vtkTranslucencyBuffer.h" // for the buffers
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkCellStorage : public vtkFragmentStorage
@@ -32,6 +33,23 @@ public:
   vtkGetMacro(InitialFragments, vtkTypeInt64);
   ///@}
 
+  /// The design that it builds.
+  virtual vtkStorageDesign::Kind GetDesign() const = 0;
+
+  /// Of those that have sections: how many fragments one holds; else 1.
+  virtual int GetSectionFragments() const { return 1; }
+
+  ///@{
+  /**
+   * Whether shaders count what they access, from the next tile on. Off by default: fragments are then stored by other shaders. For vtkStorageCountPass.
+   */
+  vtkSetMacro(CountAccesses, bool);
+  vtkGetMacro(CountAccesses, bool);
+  ///@}
+
+  /// What they have counted in the tile, after Shaders/Storage/CountAccesses.glsl has read all fragments once.
+  vtkStorageDesign::Accesses GetAccesses() const;
+
   std::map<std::string, std::string> GetDefines() const override;
   void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
   std::string GetObstacle(
@@ -48,7 +66,6 @@ public:
   std::vector<Texels> GetTexels() override;
   void FinishLinks() override;
   Links GetLinks() const override;
-  vtkStorageAccounting::Accesses GetAccesses() const override;
   vtkTypeInt64 GetBytes() const override;
   void Release(bool contextAlive) override;
 
@@ -156,6 +173,7 @@ private:
   vtkTranslucencyBuffer LayoutBlock;
 
   vtkTypeInt64 InitialFragments = 0;
+  bool CountAccesses = false;
   std::map<Rectangle, TileLayout> Layouts; // of the tiles of the last frames
   Rectangle Tile{ { 0, 0, 0, 0 } };
   double LimitBytes = 0;

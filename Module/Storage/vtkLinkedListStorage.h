@@ -28,7 +28,7 @@ public:
   static vtkLinkedListStorage* New();
   vtkTypeMacro(vtkLinkedListStorage, vtkCellStorage);
 
-  vtkStorageAccounting::Design GetDesign() const override { return vtkStorageAccounting::Design::LinkedList; }
+  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::LinkedList; }
   const char* GetShaderName() const override;
 
 protected:

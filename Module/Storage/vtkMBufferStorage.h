@@ -34,7 +34,7 @@ public:
 
   void SetSectionLength(int fragments) override;
 
-  vtkStorageAccounting::Design GetDesign() const override { return vtkStorageAccounting::Design::MBuffer; }
+  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::MBuffer; }
   void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
 
 protected:

@@ -29,7 +29,7 @@ public:
   static vtkRBufferStorage* New();
   vtkTypeMacro(vtkRBufferStorage, vtkCellStorage);
 
-  vtkStorageAccounting::Design GetDesign() const override { return vtkStorageAccounting::Design::RBuffer; }
+  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::RBuffer; }
   const char* GetShaderName() const override;
   const char* GetRetrieval() const override;
   std::array<int, 2> BeginRetrieval() override;

@@ -21,7 +21,7 @@ public:
   static vtkTBufferStorage* New();
   vtkTypeMacro(vtkTBufferStorage, vtkSectionStorage);
 
-  vtkStorageAccounting::Design GetDesign() const override { return vtkStorageAccounting::Design::TBuffer; }
+  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::TBuffer; }
 
 protected:
   vtkTBufferStorage() = default;

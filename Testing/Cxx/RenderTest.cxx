@@ -130,10 +130,24 @@ vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const
 {
   auto pass = vtkSmartPointer<vtkTranslucencyPass>::Take(
     vtkTranslucencyPass::SafeDownCast(vtkTranslucencyFactory::CreateTechnique(name)));
+  Apply(pass, settings);
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+void Apply(vtkTranslucencyPass* pass, const Settings& settings)
+{
   for (const auto& setting : settings)
   {
     EXPECT_TRUE(pass->SetOption(setting.first, setting.second)) << setting.first << "=" << setting.second;
   }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStorageCountPass> NewCounting(const Settings& settings)
+{
+  auto pass = vtkSmartPointer<vtkStorageCountPass>::New();
+  Apply(pass, settings);
   return pass;
 }
 

@@ -13,6 +13,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkStorageCountPass.h>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,12 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// A new pass of a technique, by its name in vtkTranslucencyFactory. Fails where it does not take a setting.
 vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& name, const Settings& settings = {});
+
+/// Sets options. Fails where a pass does not take one.
+void Apply(vtkTranslucencyPass* pass, const Settings& settings);
+
+/// A new pass that counts the accesses to its storage.
+vtkSmartPointer<vtkStorageCountPass> NewCounting(const Settings& settings);
 
 /// A technique, with a choice of an option by which it draws in another way, or, without an option, as by default.
 struct Way

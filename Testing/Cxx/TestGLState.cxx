@@ -54,13 +54,6 @@ const Situation Situations[] = {
       pass->MeasureTimesOn();
     },
     false },
-  { "RBufferCounted",
-    [](View&, vtkFragmentListPass* pass)
-    {
-      pass->SetStorageDesign(vtkFragmentListPass::RBuffer);
-      pass->CountAccessesOn();
-    },
-    false },
   { "TooLittleMemory",
     [](View&, vtkFragmentListPass* pass) { pass->GetStorage()->SetMemoryLimit(0.001); }, true },
 };
@@ -137,6 +130,17 @@ TEST_P(TestGLState, IsAsItWasFound)
   {
     TakeMessages();
   }
+}
+
+using TestGLStateOfCounting = RenderTest;
+
+TEST_F(TestGLStateOfCounting, IsAsItWasFound)
+{
+  View view(RandomLayers(400, 300, 31, 20, 0.1, 0.5));
+  vtkNew<WatchedPass> watched;
+  watched->Pass = NewCounting({ { "storage", "r-buffer" } });
+  view.SetTranslucentPass(watched);
+  ExpectNothingChanges(view, watched, false);
 }
 
 INSTANTIATE_TEST_SUITE_P(Situations, TestGLState,

@@ -253,12 +253,7 @@ std::vector<Case> Cases()
       }
     }
   }
-  const auto createCounted = []
-  {
-    const auto pass = NewTechnique("exact", { { "storage", "r-buffer" } });
-    pass->CountAccessesOn();
-    return pass;
-  };
+  const auto createCounted = [] { return NewCounting({ { "storage", "r-buffer" } }); };
   cases.push_back({ "exactrbufferCounted", createCounted, 0 });
   return cases;
 }

@@ -107,8 +107,8 @@ void Check(const Accounting::Settings& settings, int width, int height, const Fr
     const Accounting::Layout layout = accounting.GetLayout(design, 0);
     const auto result = vtkStorageSimulator::Run(layout, fragments);
     ASSERT_EQ(result.Error, "");
-    ExpectSame(result.Cost, accounting.GetCost(design, 0), Accounting::GetName(design));
-    EXPECT_TRUE(ByPixel(layout, result.Read) == Expected(layout, fragments)) << Accounting::GetName(design);
+    ExpectSame(result.Cost, accounting.GetCost(design, 0), vtkStorageDesign::GetName(design));
+    EXPECT_TRUE(ByPixel(layout, result.Read) == Expected(layout, fragments)) << vtkStorageDesign::GetName(design);
   }
 }
 }
@@ -256,14 +256,14 @@ RC_GTEST_PROP(TestStorageSimulator, ComesToTheClosedForms, ())
   const int width = *rc::gen::inRange(1, 9);
   const int height = *rc::gen::inRange(1, 9);
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, 600);
-  Check(settings, width, height, RandomFragments(width, height, count, *rc::gen::arbitrary<unsigned int>()), Accounting::GetDesigns());
+  Check(settings, width, height, RandomFragments(width, height, count, *rc::gen::arbitrary<unsigned int>()), vtkStorageDesign::GetAll());
   RC_ASSERT(!testing::Test::HasFailure());
 }
 
 //------------------------------------------------------------------------------
 TEST(TestStorageSimulator, TakesAMillionFragments)
 {
-  Check({}, 64, 64, RandomFragments(64, 64, 1000000, 1), Accounting::GetDesigns());
+  Check({}, 64, 64, RandomFragments(64, 64, 1000000, 1), vtkStorageDesign::GetAll());
 }
 
 //------------------------------------------------------------------------------
@@ -278,7 +278,7 @@ TEST(TestStorageSimulator, TakesADeepPixel)
 //------------------------------------------------------------------------------
 TEST(TestStorageSimulator, ReadsNothingFromNothing)
 {
-  Check({}, 5, 3, {}, Accounting::GetDesigns());
+  Check({}, 5, 3, {}, vtkStorageDesign::GetAll());
 }
 
 //------------------------------------------------------------------------------
@@ -287,7 +287,7 @@ TEST(TestStorageSimulator, SaysWhatIsWrong)
   const Accounting accounting({}, { { 4, 4, { { 3, 1 } } } });
   const auto error = [&accounting](Design design, const Fragments& fragments)
   { return vtkStorageSimulator::Run(accounting.GetLayout(design, 0), fragments).Error; };
-  for (const Design design : Accounting::GetDesigns())
+  for (const Design design : vtkStorageDesign::GetAll())
   {
     EXPECT_EQ(error(design, { { 3, 3, 1.0f, {} } }), "");
     EXPECT_EQ(error(design, { { 3, 3, 1.0f, {} }, { 4, 0, 0.5f, {} } }),

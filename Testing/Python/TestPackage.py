@@ -399,28 +399,29 @@ class TestStatistics(unittest.TestCase):
             self.assertEqual(statistics.GetTiles(), 1)
 
     def test_accesses_to_the_storage(self):
-        for technique in ("exact", "adaptive"):
-            window, renderer = two_planes()
-            technique_pass = vtktranslucency.enable(renderer, technique, storage="t-buffer", section_length=2)
-            statistics = technique_pass.GetStatistics()
-            window.Render()
-            self.assertEqual(statistics.GetAccesses(), -1)
-            bytes_before = statistics.GetBytes()
-            technique_pass.CountAccessesOn()
-            window.Render()
-            overlap, pixels, fragments = 20 * 20, 2 * 50 * 50 - 20 * 20, 2 * 50 * 50
-            self.assertEqual(statistics.GetFragments(), fragments)
-            self.assertEqual(statistics.GetStores(), fragments)
-            self.assertEqual(statistics.GetReads(), fragments)
-            self.assertEqual(statistics.GetTableAccesses(), pixels)
-            self.assertEqual(statistics.GetSecondDepthAccesses(), 0)
-            self.assertEqual(statistics.GetFrameBufferAccesses(), 0)
-            self.assertEqual(statistics.GetAccesses(), 2 * fragments + pixels)
-            self.assertEqual([statistics.GetPixelsHolding(count) for count in (1, 2, 3)], [pixels - overlap, overlap, 0])
-            self.assertEqual(statistics.GetDeepestPixel(), 2)
-            self.assertEqual(statistics.GetSectionLength(), 2)
-            self.assertGreater(statistics.GetPackedBytes(), 0)
-            self.assertGreaterEqual(statistics.GetBytes(), bytes_before + 4 * 100 * 100)  # each pixel's count
+        window, renderer = two_planes()
+        exact = vtktranslucency.enable(renderer, "exact", storage="t-buffer", section_length=2)
+        window.Render()
+        counting = vtktranslucency.vtkStorageCountPass()
+        counting.SetOption("storage", "t-buffer")
+        counting.SetOption("section_length", "2")
+        self.assertEqual(counting.GetAccesses(), -1)
+        vtktranslucency.vtkTranslucencyFactory.Enable(renderer, counting)
+        window.Render()
+        overlap, pixels, fragments = 20 * 20, 2 * 50 * 50 - 20 * 20, 2 * 50 * 50
+        self.assertEqual(counting.GetStatistics().GetFragments(), fragments)
+        self.assertEqual(counting.GetStores(), fragments)
+        self.assertEqual(counting.GetReads(), fragments)
+        self.assertEqual(counting.GetTableAccesses(), pixels)
+        self.assertEqual(counting.GetSecondDepthAccesses(), 0)
+        self.assertEqual(counting.GetFrameBufferAccesses(), 0)
+        self.assertEqual(counting.GetAccesses(), 2 * fragments + pixels)
+        self.assertEqual([counting.GetPixelsHolding(count) for count in (1, 2, 3)], [pixels - overlap, overlap, 0])
+        self.assertEqual(counting.GetStatistics().GetDeepestPixel(), 2)
+        self.assertEqual(counting.GetSectionFragments(), 2)
+        self.assertGreater(counting.GetPackedBytes(), 0)
+        self.assertGreaterEqual(counting.GetStatistics().GetBytes(),
+            exact.GetStatistics().GetBytes() + 4 * 100 * 100)  # each pixel's count
 
 
 if __name__ == "__main__":

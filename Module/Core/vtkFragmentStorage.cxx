@@ -63,9 +63,7 @@ std::vector<vtkTranslucencyOption> vtkFragmentStorage::GetOptions()
 //------------------------------------------------------------------------------
 std::map<std::string, std::string> vtkFragmentStorage::GetDefines() const
 {
-  return { { "COLOR_FORMAT", this->ColorFormat == RGBA8 ? "COLOR_FORMAT_RGBA8"
-                                                        : "COLOR_FORMAT_HALF_FLOAT" },
-    { "COUNT_ACCESSES", this->CountAccesses ? "1" : "0" } };
+  return { { "COLOR_FORMAT", this->ColorFormat == RGBA8 ? "COLOR_FORMAT_RGBA8" : "COLOR_FORMAT_HALF_FLOAT" } };
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,6 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
-#include "vtkStorageAccounting.h"           // for GetAccesses
 
 #include <array>  // for Rectangle
 #include <map>    // for GetDefines
@@ -77,15 +76,6 @@ public:
     this->Channels = channels;
     this->Samples = samples;
   }
-
-  /// Whether shaders count what they access, from the next tile on. Core's to set.
-  void SetCountAccesses(bool count) { this->CountAccesses = count; }
-
-  /// The design that it builds.
-  virtual vtkStorageAccounting::Design GetDesign() const = 0;
-
-  /// Of those that have sections: how many fragments one holds; else 1.
-  virtual int GetSectionFragments() const { return 1; }
 
   /// "Name" stands for the file Storage/Name.glsl of Module/Shaders; shaders include it as Storage/Selected.glsl.
   virtual const char* GetShaderName() const = 0;
@@ -149,9 +139,6 @@ public:
   virtual bool Fits(vtkTypeInt64 units, const Rectangle& viewport,
     const vtkTranslucencyCapabilities& capabilities) const = 0;
 
-  /// What shaders have counted in the tile, where they do, after Shaders/Storage/CountAccesses.glsl has read all fragments once.
-  virtual vtkStorageAccounting::Accesses GetAccesses() const = 0;
-
   /// Bytes as allocated.
   virtual vtkTypeInt64 GetBytes() const = 0;
 
@@ -169,7 +156,6 @@ protected:
   double MemoryLimit = 0;
   int Channels = 1;
   int Samples = 1;
-  bool CountAccesses = false;
 
 private:
   vtkFragmentStorage(const vtkFragmentStorage&) = delete;

@@ -29,6 +29,7 @@
 #define vtkStorageAccounting_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkStorageDesign.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -39,17 +40,8 @@
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStorageAccounting
 {
 public:
-  enum class Design
-  {
-    LinkedList,
-    TBuffer,
-    RBuffer,
-    MBuffer
-  };
-  static const std::vector<Design>& GetDesigns();
-
-  /// linked-list, t-buffer, r-buffer, m-buffer
-  static std::string GetName(Design design);
+  using Design = vtkStorageDesign::Kind;
+  using Accesses = vtkStorageDesign::Accesses;
 
   /// How many pixels of a frame hold how many fragments.
   struct Histogram
@@ -87,27 +79,6 @@ public:
     int Height = 0;
     std::int64_t SectionLength = 1; ///< of the T-buffer and the M-buffer
     Packing Bits;                   ///< the address is not 0
-  };
-
-  /// To memory.
-  struct Accesses
-  {
-    std::int64_t Stores = 0;      ///< of fragments
-    std::int64_t Reads = 0;       ///< of fragments
-    std::int64_t Table = 0;       ///< reads of where a pixel's fragments begin; pixels without any are not counted
-    std::int64_t SecondDepth = 0; ///< to the R-buffer's second depth buffer
-    std::int64_t FrameBuffer = 0; ///< blending, where fragments come one a pass
-
-    Accesses& operator+=(const Accesses& others)
-    {
-      this->Stores += others.Stores;
-      this->Reads += others.Reads;
-      this->Table += others.Table;
-      this->SecondDepth += others.SecondDepth;
-      this->FrameBuffer += others.FrameBuffer;
-      return *this;
-    }
-    std::int64_t GetTotal() const { return this->Stores + this->Reads + this->Table + this->SecondDepth + this->FrameBuffer; }
   };
 
   struct Cost

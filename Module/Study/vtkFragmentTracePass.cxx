@@ -56,13 +56,7 @@ void vtkFragmentTracePass::RenderTranslucent(const vtkRenderState* state, vtkRen
 }
 
 //------------------------------------------------------------------------------
-bool vtkFragmentTracePass::ResolveLists(vtkTranslucencyFrame& frame)
-{
-  return this->CopyLists(frame) && this->Superclass::ResolveLists(frame);
-}
-
-//------------------------------------------------------------------------------
-bool vtkFragmentTracePass::CopyLists(vtkTranslucencyFrame& frame)
+bool vtkFragmentTracePass::UseLists(vtkTranslucencyFrame& frame)
 {
   if (frame.GetSamples() > 1)
   {

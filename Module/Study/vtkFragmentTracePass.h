@@ -40,15 +40,13 @@ protected:
   ~vtkFragmentTracePass() override;
 
   void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass) override;
-  bool ResolveLists(vtkTranslucencyFrame& frame) override;
+  bool UseLists(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
 private:
   vtkFragmentTracePass(const vtkFragmentTracePass&) = delete;
   void operator=(const vtkFragmentTracePass&) = delete;
-
-  bool CopyLists(vtkTranslucencyFrame& frame);
 
   std::vector<vtkStorageSimulator::Fragment> Fragments;
   vtkTranslucencyBuffer Copy;

@@ -77,30 +77,6 @@ std::string CheckFrame(const vtkStorageAccounting::Histogram& frame, const std::
 }
 
 //------------------------------------------------------------------------------
-const std::vector<Design>& vtkStorageAccounting::GetDesigns()
-{
-  static const std::vector<Design> designs{ Design::LinkedList, Design::TBuffer, Design::RBuffer, Design::MBuffer };
-  return designs;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkStorageAccounting::GetName(Design design)
-{
-  switch (design)
-  {
-    case Design::LinkedList:
-      return "linked-list";
-    case Design::TBuffer:
-      return "t-buffer";
-    case Design::RBuffer:
-      return "r-buffer";
-    case Design::MBuffer:
-      break;
-  }
-  return "m-buffer";
-}
-
-//------------------------------------------------------------------------------
 std::int64_t vtkStorageAccounting::Histogram::GetFragments() const
 {
   std::int64_t sum = 0;
@@ -153,13 +129,13 @@ std::string vtkStorageAccounting::FindError() const
       return error;
     }
   }
-  for (const Design design : GetDesigns())
+  for (const Design design : vtkStorageDesign::GetAll())
   {
     const std::int64_t addressed = this->GetAddressed(design);
     if (bits.Address > 0 && bits.Address < BitsFor(addressed))
     {
       return "address bits are " + std::to_string(bits.Address) + ", expected at least " + std::to_string(BitsFor(addressed)) + " for the " +
-        std::to_string(addressed) + " sections of the " + GetName(design);
+        std::to_string(addressed) + " sections of the " + vtkStorageDesign::GetName(design);
     }
   }
   return "";

@@ -1,0 +1,90 @@
+#include "vtkTranslucencyBlending.h"
+
+#include "vtkTranslucencyTargets.h"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkOpenGLState.h"
+
+#include <algorithm>
+
+namespace
+{
+struct BlendFunction
+{
+  GLenum Equation;
+  std::array<GLenum, 4> Factors; // source and destination, colour and alpha
+};
+
+BlendFunction GetFunction(vtkTranslucencyStage::Blending blending)
+{
+  using Blending = vtkTranslucencyStage::Blending;
+  switch (blending)
+  {
+    case Blending::AddAndAttenuate:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Attenuate:
+      return { GL_FUNC_ADD, { { GL_ZERO, GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Minimum:
+      return { GL_MIN, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+    case Blending::Maximum:
+      return { GL_MAX, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+    case Blending::Over:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Filter:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Under:
+      return { GL_FUNC_ADD, { { GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA } } };
+    case Blending::Replace:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ZERO, GL_ONE, GL_ZERO } } };
+    default:
+      return { GL_FUNC_ADD, { { GL_ONE, GL_ONE, GL_ONE, GL_ONE } } };
+  }
+}
+
+// That of one of a stage's buffers.
+BlendFunction GetFunction(const vtkTranslucencyStage& stage, int buffer)
+{
+  const auto differing = stage.Differing.find(buffer);
+  return GetFunction(differing == stage.Differing.end() ? stage.Blend : differing->second.Blend);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBlending::Set(vtkOpenGLState* state, const vtkTranslucencyStage& stage)
+{
+  // VTK, if it is built so, compares its function with that of the first buffer.
+  const BlendFunction first = GetFunction(stage, 0);
+  state->vtkglBlendEquation(first.Equation);
+  state->vtkglBlendFuncSeparate(first.Factors[0], first.Factors[1], first.Factors[2], first.Factors[3]);
+  for (int buffer = 1; !stage.Differing.empty() && buffer < stage.Targets->GetCount(); ++buffer)
+  {
+    const BlendFunction own = GetFunction(stage, buffer);
+    glBlendEquationi(static_cast<GLuint>(buffer), own.Equation);
+    glBlendFuncSeparatei(static_cast<GLuint>(buffer), own.Factors[0], own.Factors[1], own.Factors[2], own.Factors[3]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBlending::Keep(vtkOpenGLState* state, const vtkTranslucencyStage& stage)
+{
+  const BlendFunction first = GetFunction(stage, 0);
+  std::array<int, 4> found;
+  state->GetBlendFuncState(found.data());
+  if (!std::equal(found.begin(), found.end(), std::begin(first.Factors), [](int a, auto b) { return a == static_cast<int>(b); }))
+  {
+    Set(state, stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBlending::UseOneFunction()
+{
+  const auto get = [](GLenum name)
+  {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return static_cast<GLenum>(value);
+  };
+  glBlendEquationSeparate(get(GL_BLEND_EQUATION_RGB), get(GL_BLEND_EQUATION_ALPHA));
+  glBlendFuncSeparate(get(GL_BLEND_SRC_RGB), get(GL_BLEND_DST_RGB), get(GL_BLEND_SRC_ALPHA), get(GL_BLEND_DST_ALPHA));
+}

@@ -1,0 +1,24 @@
+/**
+ * The blend functions of a stage, through VTK's cache of OpenGL's state, which knows one for all buffers: that of the first one.
+ */
+#ifndef vtkTranslucencyBlending_h
+#define vtkTranslucencyBlending_h
+
+#include "vtkTranslucencyStage.h"
+
+class vtkOpenGLState;
+
+class vtkTranslucencyBlending
+{
+public:
+  /// Blends as the stage wants it, each buffer by its own function.
+  static void Set(vtkOpenGLState* state, const vtkTranslucencyStage& stage);
+
+  /// The same if a mapper has set a function of its own since.
+  static void Keep(vtkOpenGLState* state, const vtkTranslucencyStage& stage);
+
+  /// Blends all buffers as the first one, as the cache has it.
+  static void UseOneFunction();
+};
+
+#endif

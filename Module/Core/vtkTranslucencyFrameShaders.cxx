@@ -1,0 +1,244 @@
+#include "vtkTranslucencyFrameShaders.h"
+
+#include "vtkFragmentStorage.h"
+#include "vtkTranslucencyPass.h"
+#include "vtkTranslucencyResources.h"
+#include "vtkTranslucencyStage.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <regex>
+
+namespace
+{
+const std::string Version = "//VTK::System::Dec\n";
+
+// What goes into a mapper's shader where it has shaded a fragment; GATHERED_DEPTH stands for its depth.
+std::string GatherCall(int outputs, bool critical, bool mean)
+{
+  std::string call = "gatherFragment(gl_FragData[0], GATHERED_DEPTH);\n";
+  if (outputs > 0)
+  {
+    call = "vec4 gatherOutputs[" + std::to_string(outputs) +
+      "];\ngatherFragment(gl_FragData[0], GATHERED_DEPTH, gatherOutputs);\n";
+  }
+  if (mean)
+  {
+    call = "gl_FragData[0] = meanTransmission(gl_FragData[0]);\n" + call;
+  }
+  if (critical)
+  {
+    call = "BEGIN_CRITICAL_SECTION\n" + call + "END_CRITICAL_SECTION\n";
+  }
+  for (int i = 0; i < outputs; ++i)
+  {
+    const std::string index = "[" + std::to_string(i) + "]";
+    call += "gl_FragData" + index + " = gatherOutputs" + index + ";\n";
+  }
+  return call;
+}
+
+// A main function with a call, and what it writes: alone, the text has no declarations of what VTK's shaders write.
+std::string Main(const std::string& call, int outputs, bool fetches)
+{
+  std::string main = "gl_FragData[0] = vec4(1.0); " + std::regex_replace(call, std::regex("GATHERED_DEPTH"), "0.5");
+  std::string declarations = fetches ? "" : "out vec4 fragOutput0;\n";
+  main = fetches ? vtkTranslucencyShader::FreeOutputs(main)
+                 : std::regex_replace(main, std::regex("gl_FragData\\[(\\d+)\\]"), "fragOutput$1");
+  for (int i = 1; i < outputs; ++i)
+  {
+    declarations += "out vec4 fragOutput" + std::to_string(i) + ";\n";
+  }
+  return declarations + "void main() { " + main + " }\n";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrameShaders::vtkTranslucencyFrameShaders(
+  vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window, int criticalSection)
+  : Resources(resources)
+  , Window(window)
+  , CriticalSection(criticalSection)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrameShaders::Fail(const std::string& error)
+{
+  this->Error = error;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyFrameShaders::GetCriticalSection() const
+{
+  const vtkTranslucencyCapabilities& capabilities = this->Resources.Capabilities;
+  switch (this->CriticalSection)
+  {
+    case vtkTranslucencyPass::Interlock:
+      return "Interlock";
+    case vtkTranslucencyPass::Spinlock:
+      return "Spinlock";
+    case vtkTranslucencyPass::Unprotected:
+      return "None";
+    default:
+      return capabilities.KeepsDrawOrder ? "None" : capabilities.Interlock.empty() ? "Spinlock" : "Interlock";
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyFrameShaders::Defines vtkTranslucencyFrameShaders::GetOfferedDefines() const
+{
+  const Context& context = this->Current;
+  Defines offered;
+  if (context.Storage)
+  {
+    offered = context.Storage->GetDefines();
+  }
+  offered["TRANSMITTANCE_CHANNELS"] = std::to_string(context.Channels);
+  offered["SAMPLES"] = std::to_string(context.Samples);
+  offered["TARGET_SAMPLES"] = std::to_string(context.TargetSamples);
+  offered["RECORD_TARGETS"] = std::to_string(context.RecordTargets);
+  offered["NODE_LINKS"] = std::to_string(static_cast<int>(vtkFragmentStorage::Links::None));
+  offered["FRAGMENT_ORDER"] =
+    this->Resources.Capabilities.KeepsDrawOrder ? "FRAGMENT_ORDER_DRAWN" : "FRAGMENT_ORDER_CONTENT";
+  return offered;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyShader::Selection vtkTranslucencyFrameShaders::GetSelection() const
+{
+  // Records in colours need no protection.
+  vtkTranslucencyShader::Selection selection{ { "CriticalSection",
+    this->Current.RecordTargets > 0 ? "None" : this->GetCriticalSection() } };
+  if (this->Current.Storage)
+  {
+    selection["Storage"] = this->Current.Storage->GetShaderName();
+  }
+  return selection;
+}
+
+//------------------------------------------------------------------------------
+// What a mapper's shader needs to take transmission colours by their mean; empty where it does not.
+std::string vtkTranslucencyFrameShaders::GetMeanText() const
+{
+  vtkTranslucencyShader shader;
+  if (this->Current.TakesMean)
+  {
+    shader.Assemble("Common/MeanTransmission.glsl", {});
+  }
+  return shader.GetText();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrameShaders::PrepareStoring()
+{
+  vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
+  const std::string mean = this->GetMeanText();
+  Defines offered = this->GetOfferedDefines();
+  const std::string key = vtkTranslucencyPrograms::GetKey(this->Current.Storage->GetShaderName(), {}, offered) + mean;
+  if (key == mappers->GetKey())
+  {
+    return true;
+  }
+  vtkTranslucencyShader shader;
+  if (!shader.Assemble("Common/Gather.glsl", {}, offered, this->GetSelection()) ||
+    !shader.Validate("void main() { gatherFragment(vec4(1.0), 0.5); }\n"))
+  {
+    return this->Fail(shader.GetError());
+  }
+  vtkTranslucencyShader volumes; // compiled with the ray caster only: it declares what that one has
+  offered["NODE_LINKS"] = std::to_string(static_cast<int>(vtkFragmentStorage::Links::Mixed));
+  if (!volumes.Assemble("Common/GatherVolume.glsl", {}, offered, this->GetSelection()))
+  {
+    return this->Fail(volumes.GetError());
+  }
+  vtkTranslucencyMapperHook::GatherText text;
+  text.Declarations = shader.GetText() + mean;
+  text.Call = GatherCall(0, false, !mean.empty());
+  text.Stores = true;
+  mappers->SetText(key, text);
+  mappers->GetVolumes().SetGatherText(volumes.GetText());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrameShaders::PrepareGathering(const vtkTranslucencyGathering& gathering)
+{
+  vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
+  const std::string mean = this->GetMeanText();
+  const std::string key = vtkTranslucencyPrograms::GetKey(gathering.File, gathering.Values, this->GetOfferedDefines()) +
+    vtkTranslucencyPrograms::GetKey("", this->GetSelection()) + mean;
+  if (key == mappers->GetKey())
+  {
+    return true;
+  }
+  vtkTranslucencyMapperHook::GatherText text;
+  text.Call = GatherCall(gathering.Outputs, gathering.Critical, !mean.empty());
+  text.Stores = gathering.Critical;
+  text.Fetches = gathering.Critical && this->Current.RecordTargets > 0;
+  text.Rejects = gathering.Rejects;
+  vtkTranslucencyShader shader;
+  if (!shader.Assemble(gathering.File, gathering.Values, this->GetOfferedDefines(), this->GetSelection()) ||
+    !shader.Validate(mean + Main(text.Call, gathering.Outputs, text.Fetches)))
+  {
+    return this->Fail(shader.GetError());
+  }
+  text.Declarations = shader.GetText() + mean;
+  mappers->SetText(key, text);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareProgram(
+  const std::string& vertexFile, const std::string& file, const Defines& defines)
+{
+  const auto selection = this->GetSelection();
+  Defines offered = this->GetOfferedDefines();
+  if (this->Current.Storage)
+  {
+    offered["NODE_LINKS"] = std::to_string(static_cast<int>(this->Current.Storage->GetLinks()));
+  }
+  const std::string key =
+    vtkTranslucencyPrograms::GetKey(file, defines, offered) + vtkTranslucencyPrograms::GetKey("", selection);
+  this->Error = "shader " + file + " does not link";
+  return this->Resources.Programs.Ready(this->Window, key,
+    [&](vtkTranslucencyPrograms::Source& source)
+    {
+      vtkTranslucencyShader fragment;
+      vtkTranslucencyShader vertex;
+      for (bool ready : { fragment.Assemble(file, defines, offered, selection), vertex.Assemble(vertexFile, {}, offered, selection),
+             fragment.Validate(""), vertex.Validate("", vtkShader::Vertex) })
+      {
+        if (!ready)
+        {
+          return this->Fail(fragment.GetError() + vertex.GetError());
+        }
+      }
+      const std::string head = Version + std::string(vtkTranslucencyShader::GetExtensions());
+      source = { head + vertex.GetText(), head + fragment.GetText() };
+      return true;
+    });
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareHandOver()
+{
+  vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
+  const std::string file = "Common/HandOver.glsl";
+  this->Error = "shader " + file + " does not link";
+  return this->Resources.Programs.Ready(this->Window, file + mappers->GetKey(),
+    [&](vtkTranslucencyPrograms::Source& source)
+    {
+      vtkTranslucencyShader fragment;
+      vtkTranslucencyShader vertex;
+      if (!fragment.Assemble(file, { { "HAND_OVER_SAMPLES", std::to_string(this->Current.TargetSamples) } }) ||
+        !vertex.Assemble("Common/FullScreen.glsl", {}))
+      {
+        return this->Fail(fragment.GetError() + vertex.GetError());
+      }
+      source = { Version + vertex.GetText(), Version + fragment.GetText() };
+      return mappers->Insert(source.Fragment, file);
+    });
+}

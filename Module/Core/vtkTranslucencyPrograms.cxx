@@ -1,0 +1,63 @@
+#include "vtkTranslucencyPrograms.h"
+
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTranslucencyPrograms::Ready(
+  vtkOpenGLRenderWindow* window, const std::string& key, const std::function<bool(Source& source)>& assemble)
+{
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  const auto found = this->Programs.find(key);
+  if (found != this->Programs.end())
+  {
+    return cache->ReadyShaderProgram(found->second);
+  }
+  Source source;
+  vtkShaderProgram* program =
+    assemble(source) ? cache->ReadyShaderProgram(source.Vertex.c_str(), source.Fragment.c_str(), "") : nullptr;
+  if (program)
+  {
+    this->Programs[key] = program;
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPrograms::GetKey(const std::string& name, const vtkTranslucencyShader::Defines& defines,
+  const vtkTranslucencyShader::Defines& offered)
+{
+  std::string key = name;
+  for (const auto* list : { &defines, &offered })
+  {
+    for (const auto& define : *list)
+    {
+      key += " " + define.first + "=" + define.second;
+    }
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPrograms::DrawVertices(unsigned int primitive, int count)
+{
+  if (this->VertexArray == 0)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(primitive, 0, count);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyPrograms::Release(bool contextAlive)
+{
+  this->Programs.clear();
+  if (this->VertexArray != 0 && contextAlive)
+  {
+    glDeleteVertexArrays(1, &this->VertexArray);
+  }
+  this->VertexArray = 0;
+}

@@ -1,0 +1,63 @@
+#include "vtkTranslucencyResolveStatistics.h"
+
+#include "Common/Bindings.glsl"
+
+namespace
+{
+constexpr vtkTypeInt64 WordBytes = sizeof(unsigned int);
+constexpr vtkTypeInt64 FrameBytes = WordBytes * STATISTICS_WORDS;
+
+vtkTypeInt64 GetBytes(const vtkTranslucencyTiles::Rectangle& tile)
+{
+  using Statistics = vtkTranslucencyResolveStatistics;
+  return FrameBytes + WordBytes * Statistics::GetSquares(tile[2]) * Statistics::GetSquares(tile[3]);
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkTranslucencyResolveStatistics::GetSquares(int pixels)
+{
+  return (pixels + RESOLVE_SQUARE - 1) / RESOLVE_SQUARE;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyResolveStatistics::BeginFrame()
+{
+  this->InUse = false;
+  this->Read.emplace(); // zeros, until a shader counts: most techniques have none that does
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyResolveStatistics::Use(const Rectangle& viewport)
+{
+  if (!this->InUse)
+  {
+    // No tile has more squares than all of them together: what was counted is not lost by growing in between.
+    if (!this->Block.Reserve(GetBytes(viewport)))
+    {
+      return false;
+    }
+    this->Block.Clear(FrameBytes);
+    this->InUse = true;
+  }
+  this->Block.BindStorage(STORAGE_BINDING_STATISTICS);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyResolveStatistics::BeginTile(const Rectangle& tile)
+{
+  constexpr vtkTypeInt64 leftLevels = 2 * WordBytes;
+  this->Block.Clear(GetBytes(tile) - leftLevels, leftLevels);
+}
+
+//------------------------------------------------------------------------------
+const vtkTranslucencyResolveStatistics::Words& vtkTranslucencyResolveStatistics::GetWords()
+{
+  if (!this->Read)
+  {
+    this->Read.emplace();
+    this->Block.Download(&*this->Read, sizeof(Words));
+  }
+  return *this->Read;
+}

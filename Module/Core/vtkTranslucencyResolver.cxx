@@ -1,0 +1,102 @@
+#include "vtkTranslucencyResolver.h"
+
+#include "Common/Bindings.glsl"
+#include "vtkFragmentStorage.h"
+#include "vtkTranslucencyGeometry.h"
+#include "vtkTranslucencyResources.h"
+#include "vtkTranslucencyScopedTextures.h"
+#include "vtkTranslucencyVTKVersion.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+//------------------------------------------------------------------------------
+vtkTranslucencyResolver::vtkTranslucencyResolver(
+  vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window, vtkTranslucencyGeometry& geometry)
+  : Resources(resources)
+  , Window(window)
+  , Geometry(geometry)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyResolver::SetSample(int sample, int among)
+{
+  this->Sample = sample;
+  this->Among = among;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyResolver::ReserveSampleColors(int samples, int channels)
+{
+  vtkTranslucencyBuffer& colors = this->Resources.SampleColors;
+  const vtkTranslucencyTiles::Rectangle& tile = this->Resources.Tiles.GetTile();
+  const vtkTypeInt64 colorBytes = channels == 3 ? 16 : 8;
+  const vtkTypeInt64 before = colors.GetBytes();
+  if (!colors.Reserve(colorBytes * samples * tile[2] * tile[3]))
+  {
+    return false;
+  }
+  if (colors.GetBytes() != before)
+  {
+    colors.Clear(colors.GetBytes()); // from then on whoever reads them does
+  }
+  colors.BindStorage(STORAGE_BINDING_SAMPLES);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyResolver::Draw(vtkShaderProgram* program, const vtkTranslucencyFrame::Squares& squares,
+  const vtkTranslucencyFrame::Uniforms& uniforms, vtkFragmentStorage* storage, vtkTranslucencyFrame::Blending over)
+{
+  vtkTranslucencyResources& kept = this->Resources;
+  const vtkTranslucencyTiles::Rectangle& tile = kept.Tiles.GetTile();
+  if (!kept.Resolved.Use(kept.Tiles.GetViewport()))
+  {
+    return "the driver has no memory for the resolve";
+  }
+  if (squares.Level == 0 && this->Sample == vtkTranslucencyFrame::WholePixel)
+  {
+    kept.Resolved.BeginTile(tile);
+  }
+  vtkTranslucencyFrame::Uniforms values{ { "resolveLevel", squares.Level }, { "resolveFewer", squares.Fewer },
+    { "resolveMost", squares.Most }, { "resolveSample", this->Sample }, { "resolveAmong", this->Among } };
+  vtkTranslucencyShader::SetUniforms(program, values);
+  vtkTranslucencyShader::SetUniforms(program, uniforms);
+  vtkTranslucencyScopedTextures textures(this->Window);
+  textures.BindTexels("statisticsTexels", kept.Resolved.GetBlock(), 1, program);
+  if (storage)
+  {
+    for (const vtkFragmentStorage::Texels& texels : storage->GetTexels())
+    {
+      textures.BindTexels(texels.Sampler, *texels.Buffer, texels.Words, program);
+    }
+  }
+  vtkTranslucencyShader::SetUniforms(program, textures.GetUnits());
+
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const int across = vtkTranslucencyResolveStatistics::GetSquares(tile[2]);
+  const int down = vtkTranslucencyResolveStatistics::GetSquares(tile[3]);
+  state->vtkglViewport(tile[0], tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
+  const bool sizedByPrograms = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  vtkTranslucencyStage blended;
+  blended.Blend = over;
+  this->Geometry.PrepareColors(blended);
+  kept.Programs.DrawVertices(GL_POINTS, across * down);
+  if (!sizedByPrograms)
+  {
+    glDisable(GL_PROGRAM_POINT_SIZE); // the next tile may have points of the scene's, whose programs say no size
+  }
+  if (storage)
+  {
+    storage->FinishLinks();
+  }
+  kept.Resolved.Change();
+  vtkTranslucencyBuffer::FinishStores();
+  kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  return "";
+}

@@ -1,0 +1,23 @@
+#include "vtkTranslucencyResources.h"
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTranslucencyResources::GetBytes()
+{
+  return this->FrameBlock.GetBytes() + this->Resolved.GetBlock().GetBytes() + this->SampleColors.GetBytes() +
+    this->Layers.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyResources::Release(bool contextAlive)
+{
+  this->Mappers->Release();
+  this->Unreached.Release();
+  this->Layers.Release(contextAlive);
+  this->Tiles.Forget();
+  this->Programs.Release(contextAlive);
+  this->Resolved.GetBlock().Release(contextAlive);
+  this->FrameBlock.Release(contextAlive);
+  this->SampleColors.Release(contextAlive);
+  this->Window = nullptr;
+  this->Context = nullptr;
+}

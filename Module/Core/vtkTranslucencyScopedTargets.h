@@ -1,0 +1,30 @@
+/**
+ * Makes a stage's targets what is drawn to, and clears them. When it goes, the framebuffer that was bound before is again.
+ */
+#ifndef vtkTranslucencyScopedTargets_h
+#define vtkTranslucencyScopedTargets_h
+
+#include "vtkTranslucencyStage.h"
+
+#include <string>
+
+class vtkOpenGLRenderWindow;
+
+class vtkTranslucencyScopedTargets
+{
+public:
+  /// A stage without targets changes nothing. The stage has to outlive it.
+  vtkTranslucencyScopedTargets(vtkOpenGLRenderWindow* window, const vtkTranslucencyStage& stage);
+  ~vtkTranslucencyScopedTargets();
+  vtkTranslucencyScopedTargets(const vtkTranslucencyScopedTargets&) = delete;
+  vtkTranslucencyScopedTargets& operator=(const vtkTranslucencyScopedTargets&) = delete;
+
+  /// What is wrong, empty if nothing is.
+  const std::string& GetObstacle() const { return this->Obstacle; }
+
+private:
+  const vtkTranslucencyStage& Drawn;
+  std::string Obstacle;
+};
+
+#endif

@@ -1,0 +1,49 @@
+/**
+ * Binds what a shader reads to texture units of its own. When it goes, what was bound there comes back.
+ */
+#ifndef vtkTranslucencyScopedTextures_h
+#define vtkTranslucencyScopedTextures_h
+
+#include "vtkTranslucencyStage.h"
+
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTranslucencyBuffer;
+
+class vtkTranslucencyScopedTextures
+{
+public:
+  explicit vtkTranslucencyScopedTextures(vtkOpenGLRenderWindow* window, const std::vector<vtkTranslucencyStage::Input>& inputs = {});
+  ~vtkTranslucencyScopedTextures();
+  vtkTranslucencyScopedTextures(const vtkTranslucencyScopedTextures&) = delete;
+  vtkTranslucencyScopedTextures& operator=(const vtkTranslucencyScopedTextures&) = delete;
+
+  /// Binds a texture of one of the two kinds of vtkTranslucencyTargets::GetTarget().
+  void Bind(const std::string& sampler, unsigned int target, unsigned int texture);
+
+  /// Binds a buffer, for a program that fetches its words as texels of so many words; nothing if it doesn't.
+  void BindTexels(const std::string& sampler, vtkTranslucencyBuffer& buffer, int words, vtkShaderProgram* program);
+
+  /// By the names of the samplers.
+  const vtkTranslucencyShader::Uniforms& GetUnits() const { return this->Units; }
+
+private:
+  struct Bound
+  {
+    int Unit;
+    unsigned int Target;
+    int Before;
+  };
+
+  // Makes a unit active that nobody else uses.
+  void UseUnit(const std::string& sampler, unsigned int target, unsigned int binding);
+
+  vtkOpenGLRenderWindow* Window;
+  std::vector<Bound> Textures;
+  vtkTranslucencyShader::Uniforms Units;
+};
+
+#endif

@@ -1,0 +1,25 @@
+#include "vtkStorageDesign.h"
+
+//------------------------------------------------------------------------------
+const std::vector<vtkStorageDesign::Kind>& vtkStorageDesign::GetAll()
+{
+  static const std::vector<Kind> designs{ Kind::LinkedList, Kind::TBuffer, Kind::RBuffer, Kind::MBuffer };
+  return designs;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkStorageDesign::GetName(Kind design)
+{
+  switch (design)
+  {
+    case Kind::LinkedList:
+      return "linked-list";
+    case Kind::TBuffer:
+      return "t-buffer";
+    case Kind::RBuffer:
+      return "r-buffer";
+    case Kind::MBuffer:
+      break;
+  }
+  return "m-buffer";
+}
