@@ -1,0 +1,436 @@
+#include "Arguments.h"
+
+#include "Scenes/BuiltInScenes.h"
+#include "Basics/Failure.h"
+#include "Techniques/Picture.h"
+#include "Techniques/Techniques.h"
+#include "Study/Trace.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <regex>
+
+namespace
+{
+const double Infinity = std::numeric_limits<double>::infinity();
+
+// Options as they are written, before they are put together.
+struct Written
+{
+  std::vector<std::string> Sources;
+  std::string SizeText;
+  std::string Background;
+  std::string Color;
+  double Opacity = -1;
+  std::string Transmission;
+  std::string Volume = "automatic";
+  std::vector<double> Isovalues;
+  int Levels = Input().Levels;
+  int Smoothing = Input().Smoothing;
+  std::string SceneFile;
+  std::string Title;
+  double Azimuth = 0;
+  double Elevation = 0;
+  double Zoom = 1;
+};
+
+// CLI11's own Range lets "nan" through.
+CLI::Validator NumberIn(double least, double most, const std::string& range)
+{
+  const auto check = [least, most, range](const std::string& text)
+  {
+    double value = 0;
+    const bool valid = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+    return valid ? std::string() : "is '" + text + "', expected a number in " + range;
+  };
+  return CLI::Validator(check, range);
+}
+
+CLI::Validator SizeText()
+{
+  const auto check = [](const std::string& text)
+  {
+    static const std::regex form("0*[1-9][0-9]{0,8}x0*[1-9][0-9]{0,8}");
+    return std::regex_match(text, form)
+      ? std::string()
+      : "is '" + text + "', expected WIDTHxHEIGHT in pixels, both 1 or more";
+  };
+  return CLI::Validator(check, "WIDTHxHEIGHT");
+}
+
+std::array<int, 2> ToSize(const std::string& text)
+{
+  const std::size_t cross = text.find('x');
+  return { { std::stoi(text.substr(0, cross)), std::stoi(text.substr(cross + 1)) } };
+}
+
+const std::string Look = "Look of the INPUTs";
+const std::string Looking = "View";
+
+void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, const std::string& alone = "")
+{
+  command->add_option("INPUT", written.Sources,
+    alone + "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)");
+  command->add_option(
+    "--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds");
+  command->add_option("--title", written.Title, "what reports call the scene");
+
+  command->add_option("--color", written.Color, "colour of all: #rrggbb or a name")->group(Look);
+  command->add_option("--opacity", written.Opacity, "opacity of all, 0 to 1")
+    ->check(NumberIn(0, 1, "0..1"))
+    ->group(Look);
+  command->add_option("--transmission", written.Transmission,
+    "what surfaces let through of what lies behind them, besides what their opacity leaves free: a colour; red is a red filter, black "
+    "(the default) none")
+    ->group(Look);
+  command
+    ->add_option("--volume", written.Volume,
+      "what volumes are: labels (one surface for each integer value), isosurfaces, or automatic")
+    ->check(CLI::IsMember({ "automatic", "labels", "isosurfaces" }))
+    ->group(Look);
+  command->add_option("--isovalues", written.Isovalues, "values of the isosurfaces: A,B,...")
+    ->delimiter(',')
+    ->group(Look);
+  command
+    ->add_option("--levels", written.Levels, "how many isosurfaces, where --isovalues does not say")
+    ->check(NumberIn(1, 32, "1..32"))
+    ->capture_default_str()
+    ->group(Look);
+  command
+    ->add_option("--smooth", written.Smoothing, "iterations that smooth the surfaces of labels")
+    ->check(NumberIn(0, 200, "0..200"))
+    ->capture_default_str()
+    ->group(Look);
+
+  command->add_option("--size", written.SizeText, "size of the picture, 1280x720 by default")
+    ->check(SizeText())
+    ->group(Looking);
+  command
+    ->add_option("--samples", arguments.Samples,
+      "samples a pixel, at least (multi-sampling): 1, 2, 4 or 8, as the driver has them")
+    ->check(CLI::IsMember({ 1, 2, 4, 8 }))
+    ->capture_default_str()
+    ->group(Looking);
+  command->add_option("--background", written.Background, "background: #rrggbb or a name, or transparent: .png, .tif and .exr then hold the opacity")
+    ->group(Looking);
+  command->add_option("--azimuth", written.Azimuth, "degrees to go round the scene")
+    ->check(NumberIn(-Infinity, Infinity, "degrees"))
+    ->group(Looking);
+  command->add_option("--elevation", written.Elevation, "degrees to go up")
+    ->check(NumberIn(-89, 89, "-89..89"))
+    ->group(Looking);
+  command->add_option("--zoom", written.Zoom, "2 is twice as large")
+    ->check(NumberIn(0.001, 1000, "0.001..1000"))
+    ->group(Looking);
+}
+
+// A flag for each option of each technique.
+void AddTechniqueOptions(CLI::App* command, Arguments& arguments)
+{
+  struct Flag
+  {
+    std::string Techniques;
+    vtkTranslucencyOption Option;
+  };
+  std::vector<Flag> flags;
+  for (const TechniqueInfo& technique : ListTechniques())
+  {
+    for (const vtkTranslucencyOption& option : technique.Options)
+    {
+      const auto known = std::find_if(flags.begin(), flags.end(),
+        [&option](const Flag& flag) { return flag.Option.Keyword == option.Keyword; });
+      if (known == flags.end())
+      {
+        flags.push_back({ technique.Name, option });
+      }
+      else
+      {
+        known->Techniques += ", " + technique.Name;
+      }
+    }
+  }
+  for (const Flag& flag : flags)
+  {
+    const std::string keyword = flag.Option.Keyword;
+    command
+      ->add_option_function<std::string>(
+        FlagOf(flag.Option),
+        [&arguments, keyword](const std::string& value) { arguments.Settings[keyword] = value; },
+        flag.Option.Help + " [" + flag.Techniques + "]")
+      ->type_name(flag.Option.Range())
+      ->default_str(flag.Option.Format(flag.Option.Default))
+      ->group("Options of techniques");
+  }
+}
+
+void AddTechnique(CLI::App* command, Arguments& arguments)
+{
+  command->add_option("-t,--technique", arguments.Techniques, "a name from 'translucency list'")
+    ->expected(1)
+    ->allow_extra_args(false) // else it would take a -- that stands behind it
+    ->default_str("adaptive");
+  AddTechniqueOptions(command, arguments);
+}
+
+void AddFrameOptions(CLI::App* command, BenchmarkSettings& frames)
+{
+  command->add_option("--frames", frames.Frames, "frames that are timed")
+    ->check(NumberIn(1, 100000, "1..100000"))
+    ->capture_default_str();
+  command->add_option("--warmup", frames.Warmup, "frames before that")
+    ->check(NumberIn(0, 100000, "0..100000"))
+    ->capture_default_str();
+}
+
+CLI::Option* AddTechniques(CLI::App* command, Arguments& arguments)
+{
+  return command
+    ->add_option("--techniques", arguments.Techniques,
+      "names, with options after colons: adaptive,adaptive:nodes=8:removal=mixed; all techniques "
+      "by default")
+    ->delimiter(',');
+}
+
+void AddStorage(CLI::App& app, Written& written, Arguments& arguments)
+{
+  auto* storage = app.add_subcommand("storage", "what designs of fragment storage take for frames: bytes and accesses");
+  AddSceneOptions(storage, written, arguments, "a histogram (.json), a trace (.csv .trace), or a scene: ");
+  const std::string designs = "Designs";
+  const auto add = [storage, &designs](const char* flag, int& value, int most, const std::string& help)
+  { return storage->add_option(flag, value, help)->check(NumberIn(1, most, "1.." + std::to_string(most)))->group(designs); };
+  vtkStorageAccounting::Settings& settings = arguments.Storage;
+  add("--section-length", settings.TSectionLength, 64, "fragments in a section of the T-buffer")->capture_default_str();
+  add("--m-section-length", settings.MSectionLength, 64, "fragments in a section of the M-buffer; by default the mean of the frame's pixels that hold any");
+  add("--address-bits", settings.Bits.Address, 64, "bits of an address; by default as few as the fullest frame needs");
+  add("--coordinate-bits", settings.Bits.Coordinate, 64, "bits of x, and of y, of a fragment in the R-buffer")->capture_default_str();
+  add("--depth-bits", settings.Bits.Depth, 64, "bits of a depth")->capture_default_str();
+  add("--color-bits", settings.Bits.Color, 64, "bits of a colour with its opacity")->capture_default_str();
+  storage->add_option("-o,--output", arguments.Output, "a folder for table.txt, storage.json, bytes.png and accesses.png");
+  storage->footer(
+    "Four designs are compared: a linked list a pixel; the T-buffer, lists of sections; the R-buffer, a FIFO that is read pass by pass; the M-buffer, a\n"
+    "section a pixel and more where it overflows. Traces and scenes also go through a simulator of each, which has to come to the same numbers.\n"
+    "The R-buffer's takes long where pixels are deep: its time grows with the square of a pixel's fragments.\n"
+    "Examples:\n"
+    "  translucency storage quake4.json -o quake4          the figures of the T-buffer's paper\n"
+    "  translucency storage quake4.json --section-length 3\n"
+    "  translucency storage --scene frog.json --size 640x480\n"
+    "  translucency trace --scene frog.json -o frog.trace\n"
+    "  translucency storage frog.trace --m-section-length 4 --address-bits 24 -o frog\n"
+    "'translucency schema histogram' says what a histogram holds, 'translucency trace --help' what a trace does.");
+}
+
+void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
+{
+  arguments.Frames = BenchmarkSettings();
+  auto* list = app.add_subcommand(
+    "list", "the techniques, their options, and whether this driver can run them");
+  list->add_flag("--json", arguments.Json, "as JSON");
+
+  auto* render = app.add_subcommand("render", "draw a picture by one technique");
+  AddSceneOptions(render, written, arguments);
+  AddTechnique(render, arguments);
+  render->add_option("-o,--output", arguments.Output, "the picture: " + PictureSuffixes())
+    ->required();
+  render->footer(
+    "Examples:\n"
+    "  translucency render frogtissue.mhd -o frog.png\n"
+    "  translucency render skin.stl bones.stl --opacity 0.3 --technique exact -o body.png\n"
+    "  translucency render --scene frog.json --technique adaptive --nodes 8 --size 1920x1080 -o "
+    "frog.exr");
+
+  auto* compare = app.add_subcommand(
+    "compare", "draw by several techniques; pictures, differences and costs in a page");
+  AddSceneOptions(compare, written, arguments);
+  AddTechniques(compare, arguments);
+  compare->add_option("--reference", arguments.Reference, "the technique that is right")
+    ->capture_default_str();
+  AddFrameOptions(compare, arguments.Frames);
+  compare
+    ->add_option("-o,--output", arguments.Output,
+      "a folder for index.html, comparison.json, table.txt and the pictures")
+    ->required();
+  compare->footer(
+    "blend is always drawn too: what the others cost is told as a multiple of it.\n"
+    "Example:\n"
+    "  translucency compare --scene frog.json --techniques exact,adaptive:nodes=8,vtk-oit -o frog\n"
+    "  then open frog/index.html in a browser");
+
+  auto* bench = app.add_subcommand("bench", "time techniques in turn, in one process");
+  AddSceneOptions(bench, written, arguments);
+  AddTechniques(bench, arguments);
+  AddFrameOptions(bench, arguments.Frames);
+  bench->add_option("-o,--output", arguments.Output, "a JSON file");
+  bench->footer("Built-in scenes:\n" + BuiltInSceneHelp() +
+    "Example:\n"
+    "  translucency bench scene:rectangles:count=1200 --techniques exact,adaptive --frames 50 -o "
+    "times.json");
+
+  auto* run = app.add_subcommand("run",
+    "run a program that uses VTK: where it asks for depth peeling, it gets another technique");
+  AddTechnique(run, arguments);
+  run->add_option("PROGRAM", arguments.Program, "the program and its arguments, behind --")->required()->expected(-1);
+  run->footer(
+    "Depth peeling is asked for by vtkRenderer::UseDepthPeelingOn, or by making a vtkDualDepthPeelingPass or a\n"
+    "vtkDepthPeelingPass. The program, in C++ or Python, stays as it is; it must use VTK " TRANSLUCENCY_VTK_VERSION ", else it draws as\n"
+    "it would have, after a message. Its exit status is that of this command.\n"
+    "Examples:\n"
+    "  translucency run -- python3 script.py\n"
+    "  translucency run --technique exact -- ./viewer scan.vtp\n"
+    "  xvfb-run translucency run --technique adaptive --nodes 8 -- python3 script.py   (without a display)");
+
+  AddStorage(app, written, arguments);
+
+  auto* trace = app.add_subcommand("trace", "write the translucent fragments of a scene, one by one");
+  AddSceneOptions(trace, written, arguments);
+  trace->add_option("-o,--output", arguments.Output, "the trace: .csv (text) or .trace (24 bytes a fragment)")->required();
+  trace->footer(
+    "A .csv begins with the lines '# size WIDTHxHEIGHT' and 'frame,x,y,z,r,g,b,a': a line a fragment; x and y are pixels from the lower\n"
+    "left corner, z is the window depth, 0 to 1. Fragments come pixel by pixel, those of a pixel in the order of drawing.\n"
+    "'translucency storage' reads both.\n"
+    "Examples:\n"
+    "  translucency trace --scene frog.json --size 640x480 -o frog.csv\n"
+    "  translucency trace skin.stl bones.stl --opacity 0.3 -o body.trace");
+
+  auto* schema = app.add_subcommand("schema", "print the JSON schema of scene files, or of histograms");
+  schema->add_option("KIND", arguments.Schema, "scene, or histogram: what 'translucency storage' reads")
+    ->check(CLI::IsMember({ "scene", "histogram" }))
+    ->capture_default_str();
+}
+
+Input ToInput(const std::string& source, const Written& written)
+{
+  Input input;
+  input.Source = source;
+  if (!written.Color.empty())
+  {
+    input.Tint = ParseColor("--color", written.Color);
+  }
+  if (written.Opacity >= 0)
+  {
+    input.Opacity = written.Opacity;
+  }
+  if (!written.Transmission.empty())
+  {
+    input.Transmission = ParseColor("--transmission", written.Transmission);
+  }
+  input.Volume = written.Volume == "labels" ? Input::Meaning::Labels
+    : written.Volume == "isosurfaces"       ? Input::Meaning::Isosurfaces
+                                            : Input::Meaning::Automatic;
+  input.Isovalues = written.Isovalues;
+  input.Levels = written.Levels;
+  input.Smoothing = written.Smoothing;
+  return input;
+}
+
+// A histogram or a trace, which stands alone; false if it is a scene.
+bool PutMeasured(const CLI::App& command, const Written& written, Arguments& arguments)
+{
+  const auto measured = std::find_if(written.Sources.begin(), written.Sources.end(),
+    [](const std::string& source) { return IsTrace(source) || std::filesystem::path(source).extension() == ".json"; });
+  if (measured == written.Sources.end())
+  {
+    return false;
+  }
+  const std::string alone = "'" + *measured + "' is a histogram or a trace, expected ";
+  if (written.Sources.size() > 1)
+  {
+    throw Failure(alone + "no other INPUT, but there are " + std::to_string(written.Sources.size()));
+  }
+  for (const CLI::Option* option : command.get_options())
+  {
+    const bool scenes = option->get_group() == Look || option->get_group() == Looking || option->get_name() == "--scene";
+    if (scenes && option->count() > 0)
+    {
+      throw Failure(alone + "no option of scenes, but there is " + option->get_name());
+    }
+  }
+  arguments.Measured = *measured;
+  arguments.Title = command.count("--title") > 0 ? std::optional<std::string>(written.Title) : std::nullopt;
+  arguments.NeedsDisplay = !arguments.Output.empty();
+  return true;
+}
+
+void PutTogether(const CLI::App& command, const Written& written, Arguments& arguments)
+{
+  const std::map<std::string, Action> actions{ { "list", Action::List },
+    { "render", Action::Render }, { "compare", Action::Compare }, { "bench", Action::Bench },
+    { "run", Action::Run }, { "schema", Action::Schema }, { "storage", Action::Storage }, { "trace", Action::Trace } };
+  arguments.Do = actions.at(command.get_name());
+  if (arguments.Do == Action::List || arguments.Do == Action::Schema || arguments.Do == Action::Run)
+  {
+    arguments.NeedsDisplay = arguments.Do == Action::List;
+    return;
+  }
+  if (arguments.Do == Action::Storage && PutMeasured(command, written, arguments))
+  {
+    return;
+  }
+  for (const std::string& source : written.Sources)
+  {
+    arguments.Inputs.push_back(ToInput(source, written));
+  }
+  const auto given = [&command](const std::string& name) { return command.count(name) > 0; };
+  if (given("--scene"))
+  {
+    arguments.SceneFile = written.SceneFile;
+  }
+  else if (arguments.Inputs.empty())
+  {
+    throw Failure("there is nothing to draw, expected an INPUT or --scene FILE");
+  }
+  arguments.Title = given("--title") ? std::optional<std::string>(written.Title) : std::nullopt;
+  arguments.Azimuth = given("--azimuth") ? std::optional<double>(written.Azimuth) : std::nullopt;
+  arguments.Elevation =
+    given("--elevation") ? std::optional<double>(written.Elevation) : std::nullopt;
+  arguments.Zoom = given("--zoom") ? std::optional<double>(written.Zoom) : std::nullopt;
+  if (given("--size"))
+  {
+    arguments.Size = ToSize(written.SizeText);
+  }
+  if (given("--background"))
+  {
+    arguments.Behind = ParseBackground("--background", written.Background);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<Arguments> ParseArguments(int argc, char** argv)
+{
+  Written written;
+  Arguments arguments;
+  CLI::App app("Draws translucent surfaces right, whatever the order in which they are drawn, and "
+               "shows what that costs.",
+    "translucency");
+  app.set_version_flag("--version", TRANSLUCENCY_VERSION);
+  app.require_subcommand(1);
+  app.footer("Start with:\n"
+             "  translucency list\n"
+             "  translucency render FILE -o picture.png\n"
+             "  translucency compare FILE -o folder      and open folder/index.html\n"
+             "  translucency storage FILE                what designs of fragment storage take for its fragments\n"
+             "  translucency run -- PROGRAM              a program of yours, by another technique\n"
+             "'translucency COMMAND --help' says more of each command.");
+  DeclareCommands(app, written, arguments);
+  try
+  {
+    app.parse(argc, argv);
+    PutTogether(*app.get_subcommands().front(), written, arguments);
+  }
+  catch (const CLI::Success& answer) // --help, --version
+  {
+    app.exit(answer);
+    return {};
+  }
+  catch (const CLI::ParseError& error)
+  {
+    const bool runs = !app.get_subcommands().empty() && app.got_subcommand("run");
+    throw Failure(std::string(error.what()) +
+      (runs ? " (translucency run [OPTIONS] -- PROGRAM [ARGUMENTS])" : " (translucency --help)"));
+  }
+  return arguments;
+}

@@ -1,0 +1,16 @@
+/**
+ * Programs that use VTK and can't be changed.
+ */
+#ifndef Program_h
+#define Program_h
+
+#include "Techniques/Techniques.h"
+
+#include <string>
+#include <vector>
+
+/// Becomes the program, with the drop-in preloaded (Plugins/DropIn). Returns only by throwing Failure, if there is no such program.
+[[noreturn]] void RunProgram(
+  const TechniqueChoice& technique, const std::vector<std::string>& program);
+
+#endif

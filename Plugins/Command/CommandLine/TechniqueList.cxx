@@ -1,0 +1,95 @@
+#include "TechniqueList.h"
+
+#include "Techniques/Stage.h"
+#include "Techniques/Techniques.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <sstream>
+#include <string>
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+using Kind = vtkTranslucencyOption::Kind;
+
+const std::map<int, std::string> Transmissions{ { 3, "red, green and blue" }, { 1, "their mean" }, { 0, "ignored" } };
+
+Json OptionToJson(const vtkTranslucencyOption& option)
+{
+  Json json;
+  json["keyword"] = option.Keyword;
+  json["flag"] = FlagOf(option);
+  json["property"] = option.Name;
+  json["type"] = option.Type == Kind::Integer ? "integer"
+    : option.Type == Kind::Real               ? "real"
+                                              : "choice";
+  json["default"] = option.Format(option.Default);
+  json["range"] = option.Range();
+  if (option.Type == Kind::Choice)
+  {
+    json["choices"] = option.Choices;
+  }
+  else
+  {
+    json["minimum"] = option.Minimum;
+    json["maximum"] = option.Maximum; // null where there is none
+  }
+  json["help"] = option.Help;
+  return json;
+}
+
+std::string ToJsonText(const std::vector<TechniqueInfo>& techniques, Stage& stage)
+{
+  Json json;
+  json["driver"] = stage.GetDriver();
+  json["techniques"] = Json::array();
+  for (const TechniqueInfo& technique : techniques)
+  {
+    const std::string missing = stage.GetMissing(technique.Name);
+    Json entry;
+    entry["name"] = technique.Name;
+    entry["help"] = technique.Help;
+    entry["runs"] = missing.empty();
+    entry["missing"] = missing.empty() ? Json() : Json(missing);
+    entry["transmittances"] = technique.Transmittances;
+    entry["options"] = Json::array();
+    for (const vtkTranslucencyOption& option : technique.Options)
+    {
+      entry["options"].push_back(OptionToJson(option));
+    }
+    json["techniques"].push_back(entry);
+  }
+  return json.dump(2) + "\n";
+}
+}
+
+//------------------------------------------------------------------------------
+std::string TechniqueListText(bool json)
+{
+  Stage stage(std::array<int, 2>{ { 16, 16 } });
+  const auto techniques = ListTechniques();
+  if (json)
+  {
+    return ToJsonText(techniques, stage);
+  }
+  std::ostringstream out;
+  out << "Techniques on " << stage.GetDriver() << ":\n";
+  for (const TechniqueInfo& technique : techniques)
+  {
+    const std::string missing = stage.GetMissing(technique.Name);
+    out << "\n" << technique.Name << "\n  " << technique.Help << "\n";
+    out << "  transmission colours: " << Transmissions.at(technique.Transmittances) << "\n";
+    if (!missing.empty())
+    {
+      out << "  does not run here: the driver lacks " << missing << "\n";
+    }
+    for (const vtkTranslucencyOption& option : technique.Options)
+    {
+      out << "    " << FlagOf(option) << " (" << option.Range() << "; default "
+          << option.Format(option.Default) << ")\n        " << option.Help << "\n";
+    }
+  }
+  return out.str();
+}
