@@ -16,32 +16,13 @@ void vtkFragmentStorage::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkFragmentStorage::SetColorFormat(int format)
 {
-  if (format != HalfFloat && format != RGBA8)
-  {
-    vtkErrorMacro(<< "ColorFormat is " << format << ", expected HalfFloat (0) or RGBA8 (1)");
-    return;
-  }
-  if (this->ColorFormat != format)
-  {
-    this->ColorFormat = format;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkFragmentStorage::GetOptions(), "ColorFormat", this->ColorFormat, format);
 }
 
 //------------------------------------------------------------------------------
 void vtkFragmentStorage::SetMemoryLimit(double mebibytes)
 {
-  if (!(mebibytes >= 0))
-  {
-    vtkErrorMacro(<< "MemoryLimit is " << mebibytes
-                  << " MiB, expected a positive number, or 0 for the default");
-    return;
-  }
-  if (this->MemoryLimit != mebibytes)
-  {
-    this->MemoryLimit = mebibytes;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkFragmentStorage::GetOptions(), "MemoryLimit", this->MemoryLimit, mebibytes);
 }
 
 //------------------------------------------------------------------------------

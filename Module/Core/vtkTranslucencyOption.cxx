@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "vtkObject.h"
 #include "vtkVariant.h"
 
 //------------------------------------------------------------------------------
@@ -24,6 +25,56 @@ std::string vtkTranslucencyOption::Range() const
     out << this->Maximum;
   }
   return out.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyOption::Expected() const
+{
+  std::ostringstream out;
+  if (this->Type == Kind::Choice)
+  {
+    for (std::size_t i = 0; i < this->Choices.size(); ++i)
+    {
+      out << (i == 0 ? "" : i + 1 == this->Choices.size() ? " or " : ", ") << this->Choices[i] << " (" << i << ")";
+    }
+    return out.str();
+  }
+  out << this->Minimum;
+  if (std::isfinite(this->Maximum))
+  {
+    out << " to " << this->Maximum;
+  }
+  else
+  {
+    out << " or more";
+  }
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyOption::Takes(double value) const
+{
+  return value >= this->Minimum && value <= this->Maximum && (this->Type == Kind::Real || value == std::floor(value));
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyOption::Check(
+  vtkObject* object, const std::vector<vtkTranslucencyOption>& options, const char* name, double value)
+{
+  for (const vtkTranslucencyOption& option : options)
+  {
+    if (option.Name == name && option.Takes(value))
+    {
+      return true;
+    }
+    if (option.Name == name)
+    {
+      vtkErrorWithObjectMacro(object, << name << " is " << value << ", expected " << option.Expected());
+      return false;
+    }
+  }
+  vtkErrorWithObjectMacro(object, << name << " is no option");
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -52,8 +103,7 @@ bool vtkTranslucencyOption::Parse(
   else
   {
     value = vtkVariant(text).ToDouble(&valid);
-    valid = valid && value >= this->Minimum && value <= this->Maximum &&
-      (this->Type == Kind::Real || value == std::floor(value));
+    valid = valid && this->Takes(value);
   }
   if (!valid)
   {

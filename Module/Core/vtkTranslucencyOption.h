@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+class vtkObject;
+
 struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
 {
   enum class Kind
@@ -34,6 +36,28 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
 
   /// "1..64", "linked-list or t-buffer": what a value has to be, for messages and help.
   std::string Range() const;
+
+  /// The same for those who set the property: "1 to 64", "linked-list (0) or t-buffer (1)".
+  std::string Expected() const;
+
+  /// Whether the option takes the value; NaN is none.
+  bool Takes(double value) const;
+
+  /// Whether the option of that name, among an object's own, takes the value. If not, the object gives an error with the value and what was expected.
+  static bool Check(vtkObject* object, const std::vector<vtkTranslucencyOption>& options, const char* name, double value);
+
+  /// The setter of a property that is an option: if that takes the value, the property becomes it, and the object is modified if it was another one; else
+  /// an error, and nothing changes.
+  template <typename Object, typename Value>
+  static void SetProperty(
+    Object* object, const std::vector<vtkTranslucencyOption>& options, const char* name, Value& property, Value value)
+  {
+    if (Check(object, options, name, static_cast<double>(value)) && property != value)
+    {
+      property = value;
+      object->Modified();
+    }
+  }
 
   /// The value as text, as Parse takes it; "other" where it is none of the choices.
   std::string Format(double value) const;

@@ -217,17 +217,7 @@ std::string vtkTranslucencyPass::GetMissing(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::SetCriticalSection(int section)
 {
-  if (section < Automatic || section > Unprotected)
-  {
-    vtkErrorMacro(<< "CriticalSection is " << section
-                  << ", expected Automatic (0), Interlock (1), Spinlock (2) or Unprotected (3)");
-    return;
-  }
-  if (this->CriticalSection != section)
-  {
-    this->CriticalSection = section;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, { this->GetCriticalSectionOption() }, "CriticalSection", this->CriticalSection, section);
 }
 
 //------------------------------------------------------------------------------

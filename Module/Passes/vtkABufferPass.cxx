@@ -17,16 +17,7 @@ void vtkABufferPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkABufferPass::SetResolve(int resolve)
 {
-  if (resolve != Recursive && resolve != Iterative)
-  {
-    vtkErrorMacro(<< "Resolve is " << resolve << ", expected Recursive (0) or Iterative (1)");
-    return;
-  }
-  if (this->Resolve != resolve)
-  {
-    this->Resolve = resolve;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkABufferPass::GetOptions(), "Resolve", this->Resolve, resolve);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,13 @@ constexpr int TermsOfVector = 4;
 }
 
 //------------------------------------------------------------------------------
+vtkAbsorbancePass::vtkAbsorbancePass(const Sums& sums)
+  : Fineness(sums.Default)
+  , Technique(sums)
+{
+}
+
+//------------------------------------------------------------------------------
 vtkAbsorbancePass::~vtkAbsorbancePass()
 {
   this->ReleaseGraphicsResources(nullptr);
@@ -20,33 +27,27 @@ vtkAbsorbancePass::~vtkAbsorbancePass()
 void vtkAbsorbancePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << this->Technique.Name << ": " << this->Fineness << "\n";
   os << indent << "Bounds: " << BoundsDefines[this->Bounds] << "\n";
   os << indent << "AlphaCorrection: " << this->AlphaCorrection << "\n";
 }
 
 //------------------------------------------------------------------------------
+void vtkAbsorbancePass::SetFineness(int number)
+{
+  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), this->Technique.Name, this->Fineness, number);
+}
+
+//------------------------------------------------------------------------------
 void vtkAbsorbancePass::SetBounds(int bounds)
 {
-  if (bounds < Fragments || bounds > Props)
-  {
-    vtkErrorMacro(<< "Bounds is " << bounds << ", expected Fragments (0) or Props (1)");
-    return;
-  }
-  if (this->Bounds != bounds)
-  {
-    this->Bounds = bounds;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), "Bounds", this->Bounds, bounds);
 }
 
 //------------------------------------------------------------------------------
 void vtkAbsorbancePass::SetAlphaCorrection(bool correction)
 {
-  if (this->AlphaCorrection != correction)
-  {
-    this->AlphaCorrection = correction;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
 }
 
 //------------------------------------------------------------------------------
@@ -54,6 +55,9 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   std::vector<vtkTranslucencyOption> options{
+    { this->Technique.Name, this->Technique.Keyword, Kind::Integer, static_cast<double>(this->Technique.Default), 1,
+      static_cast<double>(this->Technique.Most), {}, this->Technique.Help, [this] { return this->Fineness; },
+      [this](double value) { this->SetFineness(static_cast<int>(value)); } },
     this->GetMemoryOption(),
     { "Bounds", "bounds", Kind::Choice, Fragments, 0, 1, { "fragments", "props" },
       "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, or that of all props",
@@ -74,7 +78,7 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::Defines vtkAbsorbancePass::GetDefines() const
 {
-  vtkTranslucencyFrame::Defines defines = this->GetTermDefines();
+  vtkTranslucencyFrame::Defines defines{ { this->Technique.Define, std::to_string(this->Fineness) } };
   defines["ABSORBANCE_BOUNDS"] = BoundsDefines[this->Bounds];
   return defines;
 }
@@ -111,7 +115,7 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
 {
   const std::vector<int> formats = this->GetTermFormats();
   const int vectors = static_cast<int>(formats.size());
-  vtkTranslucencyFrame::Gathering gathering{ this->GetShaderFolder() + "/Gather.glsl", this->GetDefines(), std::max(2, vectors) };
+  vtkTranslucencyFrame::Gathering gathering{ std::string(this->Technique.Folder) + "/Gather.glsl", this->GetDefines(), std::max(2, vectors) };
   gathering.Values["GATHER_OUTPUTS"] = std::to_string(gathering.Outputs);
 
   // One text reads all targets, each in the stage that needs it. In the others its sampler sees Colors, which is not drawn to then: a
@@ -165,7 +169,7 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
   vtkTranslucencyFrame::Defines defines = this->GetDefines();
   defines.merge(this->GetCorrection());
   const vtkTranslucencyFrame::Uniforms range = this->GetRange(frame);
-  const std::string folder = this->GetShaderFolder();
+  const std::string folder = this->Technique.Folder;
   vtkTranslucencyFrame::Squares squares;
   for (int size : { 8, 16, 32 })
   {

@@ -89,25 +89,44 @@ public:
   bool KeepsTransmissionColors() const override { return this->Memory == Variable; }
 
 protected:
-  vtkAbsorbancePass() = default;
+  /**
+   * A technique: the option that says how fine its sums are, from 1 on, and its shaders.
+   */
+  struct Sums
+  {
+    const char* Name; ///< of the property
+    const char* Keyword;
+    int Default;
+    int Most;
+    const char* Help;
+    const char* Folder; ///< of the shaders: Gather.glsl, Resolve.glsl, ResolveShort.glsl
+    const char* Define; ///< by which they know the number
+  };
+  explicit vtkAbsorbancePass(const Sums& sums);
   ~vtkAbsorbancePass() override;
 
   /**
-   * The folder of the technique's shaders, Gather.glsl and Resolve.glsl in it, what they need defined, and the number of sums, 1 to 32.
+   * The property that is the option.
    */
-  virtual std::string GetShaderFolder() const = 0;
-  virtual vtkTranslucencyFrame::Defines GetTermDefines() const = 0;
-  virtual int GetTermCount() const = 0;
+  void SetFineness(int number);
+
+  /**
+   * The number of sums, 1 to 32.
+   */
+  virtual int GetTermCount() const { return this->Fineness; }
 
   bool RenderFixed(vtkTranslucencyFrame& frame) override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
+  int Fineness;
   int Bounds = Fragments;
   bool AlphaCorrection = true;
 
 private:
+  const Sums Technique;
+
   vtkTranslucencyFrame::Defines GetDefines() const;
   vtkTranslucencyFrame::Uniforms GetRange(const vtkTranslucencyFrame& frame) const;
   std::vector<int> GetTermFormats() const;

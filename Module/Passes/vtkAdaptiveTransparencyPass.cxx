@@ -39,62 +39,30 @@ void vtkAdaptiveTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetNodeCount(int count)
 {
-  if (count < LeastNodes || count > MostNodes)
-  {
-    vtkErrorMacro(<< "NodeCount is " << count << ", expected " << LeastNodes << " to " << MostNodes);
-    return;
-  }
-  if (this->NodeCount != count)
-  {
-    this->NodeCount = count;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "NodeCount", this->NodeCount, count);
 }
 
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetNodeRemoval(int removal)
 {
-  if (removal < Underestimate || removal > Mixed)
-  {
-    vtkErrorMacro(<< "NodeRemoval is " << removal
-                  << ", expected Underestimate (0), Overestimate (1) or Mixed (2)");
-    return;
-  }
-  if (this->NodeRemoval != removal)
-  {
-    this->NodeRemoval = removal;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "NodeRemoval", this->NodeRemoval, removal);
 }
 
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetAlphaCorrection(bool correction)
 {
-  if (this->AlphaCorrection != correction)
-  {
-    this->AlphaCorrection = correction;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
 }
 
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetTolerance(double tolerance)
 {
-  if (!(tolerance >= 0 && tolerance <= 1))
-  {
-    vtkErrorMacro(<< "Tolerance is " << tolerance << ", expected 0 to 1");
-    return;
-  }
   if (tolerance > 0 && this->Memory == Fixed)
   {
     vtkErrorMacro(<< "Tolerance is " << tolerance << ", expected 0 while Memory is Fixed");
     return;
   }
-  if (this->Tolerance != tolerance)
-  {
-    this->Tolerance = tolerance;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "Tolerance", this->Tolerance, tolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -111,16 +79,7 @@ void vtkAdaptiveTransparencyPass::SetMemory(int memory)
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetShow(int show)
 {
-  if (show < Picture || show > Nodes)
-  {
-    vtkErrorMacro(<< "Show is " << show << ", expected Picture (0), Error (1) or Nodes (2)");
-    return;
-  }
-  if (this->Show != show)
-  {
-    this->Show = show;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "Show", this->Show, show);
 }
 
 //------------------------------------------------------------------------------

@@ -159,38 +159,28 @@ void vtkAutomaticTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkAutomaticTransparencyPass::SetNumber(const char* name, double& member, double value, double most)
+void vtkAutomaticTransparencyPass::SetNumber(const char* name, double& member, double value)
 {
-  if (!(value >= 0 && value <= most))
-  {
-    vtkErrorMacro(<< name << " is " << value << ", expected "
-                  << (most == 1 ? "a number in 0 to 1" : "a positive number, or 0 for any"));
-    return;
-  }
-  if (member != value)
-  {
-    member = value;
-    this->Chooser->SetBudget({ this->BudgetMilliseconds, this->BudgetMebibytes, this->Tolerance });
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkAutomaticTransparencyPass::GetOptions(), name, member, value);
+  this->Chooser->SetBudget({ this->BudgetMilliseconds, this->BudgetMebibytes, this->Tolerance });
 }
 
 //------------------------------------------------------------------------------
 void vtkAutomaticTransparencyPass::SetBudgetMilliseconds(double milliseconds)
 {
-  this->SetNumber("BudgetMilliseconds", this->BudgetMilliseconds, milliseconds, Any);
+  this->SetNumber("BudgetMilliseconds", this->BudgetMilliseconds, milliseconds);
 }
 
 //------------------------------------------------------------------------------
 void vtkAutomaticTransparencyPass::SetBudgetMebibytes(double mebibytes)
 {
-  this->SetNumber("BudgetMebibytes", this->BudgetMebibytes, mebibytes, Any);
+  this->SetNumber("BudgetMebibytes", this->BudgetMebibytes, mebibytes);
 }
 
 //------------------------------------------------------------------------------
 void vtkAutomaticTransparencyPass::SetTolerance(double tolerance)
 {
-  this->SetNumber("Tolerance", this->Tolerance, tolerance, 1);
+  this->SetNumber("Tolerance", this->Tolerance, tolerance);
 }
 
 //------------------------------------------------------------------------------

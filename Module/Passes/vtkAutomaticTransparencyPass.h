@@ -109,7 +109,7 @@ protected:
   double Tolerance = 0;
 
 private:
-  void SetNumber(const char* name, double& member, double value, double most);
+  void SetNumber(const char* name, double& member, double value);
   vtkSmartPointer<vtkTranslucencyPass> NewDelegate(const std::string& technique);
   void FindCandidates(vtkOpenGLRenderWindow* window);
   void Choose(const vtkRenderState* state);

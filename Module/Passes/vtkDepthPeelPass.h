@@ -54,14 +54,13 @@
 #ifndef vtkDepthPeelPass_h
 #define vtkDepthPeelPass_h
 
-#include "vtkSmartPointer.h" // for Images
 #include "vtkTranslucencyPass.h"
-#include "vtkTranslucencyPixels.h" // for Buckets
-#include "vtkTranslucencyTargets.h" // for Peeled, Merged
 
-#include <vector> // for Images
+#include <memory> // for Peeling, Buckets
 
+class vtkBucketPeeling;
 class vtkImageData;
+class vtkLayerPeeling;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkDepthPeelPass : public vtkTranslucencyPass
 {
@@ -160,15 +159,8 @@ protected:
   bool KeepLayers = false;
 
 private:
-  bool Peel(vtkTranslucencyFrame& frame, bool& left); // left becomes whether fragments are
-  bool KeepLayer(vtkTranslucencyFrame& frame);
-  bool AddTail(vtkTranslucencyFrame& frame);
-  bool PeelBuckets(vtkTranslucencyFrame& frame);
-
-  vtkTranslucencyTargets Peeled; // by the last drawing: bounds of the next layers (Shaders/Peel/Methods.glsl), front layer, back layer
-  vtkTranslucencyTargets Merged; // bounds of these layers, layers from the front, layers from the back
-  vtkTranslucencyPixels Buckets;
-  std::vector<vtkSmartPointer<vtkImageData>> Images;
+  std::unique_ptr<vtkLayerPeeling> Peeling; // FrontToBack and Dual
+  std::unique_ptr<vtkBucketPeeling> Buckets; // BucketSort
 
   vtkDepthPeelPass(const vtkDepthPeelPass&) = delete;
   void operator=(const vtkDepthPeelPass&) = delete;

@@ -22,27 +22,20 @@ class VTKRENDERINGTRANSLUCENCY_EXPORT vtkFourierOpacityPass : public vtkAbsorban
 public:
   static vtkFourierOpacityPass* New();
   vtkTypeMacro(vtkFourierOpacityPass, vtkAbsorbancePass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
    * Pairs of cosine and sine, 1 to 15, 4 by default. A value outside is an error and changes nothing.
    */
-  void SetCoefficients(int coefficients);
-  vtkGetMacro(Coefficients, int);
+  void SetCoefficients(int coefficients) { this->SetFineness(coefficients); }
+  int GetCoefficients() const { return this->Fineness; }
   ///@}
 
-  std::vector<vtkTranslucencyOption> GetOptions() override;
-
 protected:
-  vtkFourierOpacityPass() = default;
+  vtkFourierOpacityPass();
   ~vtkFourierOpacityPass() override = default;
 
-  std::string GetShaderFolder() const override;
-  vtkTranslucencyFrame::Defines GetTermDefines() const override;
-  int GetTermCount() const override;
-
-  int Coefficients = 4;
+  int GetTermCount() const override { return 2 * this->Fineness + 1; }
 
 private:
   vtkFourierOpacityPass(const vtkFourierOpacityPass&) = delete;

@@ -80,12 +80,8 @@ vtkFragmentStorage* vtkFragmentListPass::GetStorage()
 //------------------------------------------------------------------------------
 void vtkFragmentListPass::SetStorageDesign(int design)
 {
-  if (design < LinkedList || design > MBuffer)
-  {
-    vtkErrorMacro(<< "StorageDesign is " << design << ", expected LinkedList (0), TBuffer (1), RBuffer (2) or MBuffer (3)");
-    return;
-  }
-  if (this->GetStorageDesign() != design)
+  if (vtkTranslucencyOption::Check(this, vtkFragmentListPass::GetOptions(), "StorageDesign", design) &&
+    this->GetStorageDesign() != design)
   {
     const auto storage = NewStorage(vtkStorageDesign::GetAll().at(static_cast<std::size_t>(design)));
     storage->SetColorFormat(this->Storage->GetColorFormat());
@@ -105,19 +101,13 @@ int vtkFragmentListPass::GetStorageDesign()
 //------------------------------------------------------------------------------
 void vtkFragmentListPass::SetSectionLength(int fragments)
 {
-  if (fragments < 1 || fragments > vtkSectionStorage::LongestSection)
+  if (vtkTranslucencyOption::Check(this, vtkFragmentListPass::GetOptions(), "SectionLength", fragments))
   {
-    vtkErrorMacro(<< "SectionLength is " << fragments << ", expected 1 to " << vtkSectionStorage::LongestSection << " fragments");
-    return;
+    this->SectionLengthGiven = true;
+    this->SectionLengthWarned = false;
+    vtkTranslucencyOption::SetProperty(this, vtkFragmentListPass::GetOptions(), "SectionLength", this->SectionLength, fragments);
+    this->UseSectionLength();
   }
-  this->SectionLengthGiven = true;
-  this->SectionLengthWarned = false;
-  if (this->SectionLength != fragments)
-  {
-    this->SectionLength = fragments;
-    this->Modified();
-  }
-  this->UseSectionLength();
 }
 
 //------------------------------------------------------------------------------

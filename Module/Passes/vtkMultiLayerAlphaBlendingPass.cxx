@@ -54,61 +54,25 @@ void vtkMultiLayerAlphaBlendingPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetLayers(int layers)
 {
-  if (layers < LeastLayers || layers > MostLayers)
-  {
-    vtkErrorMacro(<< "Layers is " << layers << ", expected " << LeastLayers << " to " << MostLayers);
-    return;
-  }
-  if (this->Layers != layers)
-  {
-    this->Layers = layers;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "Layers", this->Layers, layers);
 }
 
 //------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetTail(int tail)
 {
-  if (tail < Merge || tail > Average)
-  {
-    vtkErrorMacro(<< "Tail is " << tail << ", expected Merge (0), Drop (1) or Average (2)");
-    return;
-  }
-  if (this->Tail != tail)
-  {
-    this->Tail = tail;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "Tail", this->Tail, tail);
 }
 
 //------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetColorFormat(int format)
 {
-  if (format != HalfFloat && format != RGBA8)
-  {
-    vtkErrorMacro(<< "ColorFormat is " << format << ", expected HalfFloat (0) or RGBA8 (1)");
-    return;
-  }
-  if (this->ColorFormat != format)
-  {
-    this->ColorFormat = format;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "ColorFormat", this->ColorFormat, format);
 }
 
 //------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetMemoryLimit(double mebibytes)
 {
-  if (!(mebibytes >= 0))
-  {
-    vtkErrorMacro(<< "MemoryLimit is " << mebibytes << " MiB, expected a positive number, or 0 for the default");
-    return;
-  }
-  if (this->MemoryLimit != mebibytes)
-  {
-    this->MemoryLimit = mebibytes;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "MemoryLimit", this->MemoryLimit, mebibytes);
 }
 
 //------------------------------------------------------------------------------

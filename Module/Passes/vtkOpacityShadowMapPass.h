@@ -17,27 +17,18 @@ class VTKRENDERINGTRANSLUCENCY_EXPORT vtkOpacityShadowMapPass : public vtkAbsorb
 public:
   static vtkOpacityShadowMapPass* New();
   vtkTypeMacro(vtkOpacityShadowMapPass, vtkAbsorbancePass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
    * Slices of the range of depths, 1 to 32, 16 by default. A value outside is an error and changes nothing.
    */
-  void SetSlices(int slices);
-  vtkGetMacro(Slices, int);
+  void SetSlices(int slices) { this->SetFineness(slices); }
+  int GetSlices() const { return this->Fineness; }
   ///@}
 
-  std::vector<vtkTranslucencyOption> GetOptions() override;
-
 protected:
-  vtkOpacityShadowMapPass() = default;
+  vtkOpacityShadowMapPass();
   ~vtkOpacityShadowMapPass() override = default;
-
-  std::string GetShaderFolder() const override;
-  vtkTranslucencyFrame::Defines GetTermDefines() const override;
-  int GetTermCount() const override;
-
-  int Slices = 16;
 
 private:
   vtkOpacityShadowMapPass(const vtkOpacityShadowMapPass&) = delete;

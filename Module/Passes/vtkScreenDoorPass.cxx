@@ -32,31 +32,13 @@ void vtkScreenDoorPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkScreenDoorPass::SetMask(int mask)
 {
-  if (mask < Ordered4x4 || mask > BlueNoise)
-  {
-    vtkErrorMacro(<< "Mask is " << mask << ", expected Ordered4x4 (0), Ordered8x8 (1) or BlueNoise (2)");
-    return;
-  }
-  if (this->Mask != mask)
-  {
-    this->Mask = mask;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkScreenDoorPass::GetOptions(), "Mask", this->Mask, mask);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenDoorPass::SetOffset(int offset)
 {
-  if (offset < NoOffset || offset > PrimitiveOffset)
-  {
-    vtkErrorMacro(<< "Offset is " << offset << ", expected NoOffset (0), ObjectOffset (1) or PrimitiveOffset (2)");
-    return;
-  }
-  if (this->Offset != offset)
-  {
-    this->Offset = offset;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkScreenDoorPass::GetOptions(), "Offset", this->Offset, offset);
 }
 
 //------------------------------------------------------------------------------

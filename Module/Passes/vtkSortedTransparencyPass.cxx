@@ -75,31 +75,13 @@ void vtkSortedTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkSortedTransparencyPass::SetOrder(int order)
 {
-  if (order < Object || order > Backface)
-  {
-    vtkErrorMacro(<< "Order is " << order << ", expected Object (0), Centroid (1) or Backface (2)");
-    return;
-  }
-  if (this->Order != order)
-  {
-    this->Order = order;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkSortedTransparencyPass::GetOptions(), "Order", this->Order, order);
 }
 
 //------------------------------------------------------------------------------
 void vtkSortedTransparencyPass::SetOperator(int which)
 {
-  if (which < Over || which > Under)
-  {
-    vtkErrorMacro(<< "Operator is " << which << ", expected Over (0) or Under (1)");
-    return;
-  }
-  if (this->Operator != which)
-  {
-    this->Operator = which;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkSortedTransparencyPass::GetOptions(), "Operator", this->Operator, which);
 }
 
 //------------------------------------------------------------------------------

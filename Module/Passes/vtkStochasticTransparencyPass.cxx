@@ -68,51 +68,25 @@ void vtkStochasticTransparencyPass::SetDepthSamples(int samples)
                   << MostSamplesOfRound << ", or of " << 2 * BufferSamples << " up to " << MostSamples);
     return;
   }
-  if (this->DepthSamples != samples)
-  {
-    this->DepthSamples = samples;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkStochasticTransparencyPass::GetOptions(), "DepthSamples", this->DepthSamples, samples);
 }
 
 //------------------------------------------------------------------------------
 void vtkStochasticTransparencyPass::SetSeed(int seed)
 {
-  if (seed < 0)
-  {
-    vtkErrorMacro(<< "Seed is " << seed << ", expected 0 or more");
-    return;
-  }
-  if (this->Seed != seed)
-  {
-    this->Seed = seed;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkStochasticTransparencyPass::GetOptions(), "Seed", this->Seed, seed);
 }
 
 //------------------------------------------------------------------------------
 void vtkStochasticTransparencyPass::SetAlphaCorrection(bool correction)
 {
-  if (this->AlphaCorrection != correction)
-  {
-    this->AlphaCorrection = correction;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkStochasticTransparencyPass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
 }
 
 //------------------------------------------------------------------------------
 void vtkStochasticTransparencyPass::SetAccumulate(int frames)
 {
-  if (frames < 1 || frames > MostFrames)
-  {
-    vtkErrorMacro(<< "Accumulate is " << frames << ", expected 1 to " << MostFrames << " frames");
-    return;
-  }
-  if (this->Accumulate != frames)
-  {
-    this->Accumulate = frames;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkStochasticTransparencyPass::GetOptions(), "Accumulate", this->Accumulate, frames);
 }
 
 //------------------------------------------------------------------------------

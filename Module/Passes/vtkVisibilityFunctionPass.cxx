@@ -17,12 +17,7 @@ void vtkVisibilityFunctionPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkVisibilityFunctionPass::SetMemory(int memory)
 {
-  if (memory != Variable && memory != Fixed)
-  {
-    vtkErrorMacro(<< "Memory is " << memory << ", expected Variable (0) or Fixed (1)");
-    return;
-  }
-  if (this->Memory != memory)
+  if (vtkTranslucencyOption::Check(this, { this->GetMemoryOption() }, "Memory", memory) && this->Memory != memory)
   {
     this->ReleaseGraphicsResources(nullptr); // what the other one holds
     this->Memory = memory;

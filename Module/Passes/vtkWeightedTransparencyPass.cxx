@@ -34,58 +34,25 @@ void vtkWeightedTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkWeightedTransparencyPass::SetMethod(int method)
 {
-  if (method < Sum || method > Blended)
-  {
-    vtkErrorMacro(<< "Method is " << method << ", expected Sum (0), Average (1) or Blended (2)");
-    return;
-  }
-  if (this->Method != method)
-  {
-    this->Method = method;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkWeightedTransparencyPass::GetOptions(), "Method", this->Method, method);
 }
 
 //------------------------------------------------------------------------------
 void vtkWeightedTransparencyPass::SetWeightFunction(int function)
 {
-  if (function < Equation7 || function > Equation10)
-  {
-    vtkErrorMacro(<< "WeightFunction is " << function << ", expected Equation7 (0), Equation8 (1), Equation9 (2) or Equation10 (3)");
-    return;
-  }
-  if (this->WeightFunction != function)
-  {
-    this->WeightFunction = function;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWeightedTransparencyPass::SetDistance(const char* name, double& member, double distance)
-{
-  if (!(distance > 0 && distance <= Farthest))
-  {
-    vtkErrorMacro(<< name << " is " << distance << ", expected a positive number up to " << Farthest);
-    return;
-  }
-  if (member != distance)
-  {
-    member = distance;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetProperty(this, vtkWeightedTransparencyPass::GetOptions(), "WeightFunction", this->WeightFunction, function);
 }
 
 //------------------------------------------------------------------------------
 void vtkWeightedTransparencyPass::SetDepthNear(double distance)
 {
-  this->SetDistance("DepthNear", this->DepthNear, distance);
+  vtkTranslucencyOption::SetProperty(this, vtkWeightedTransparencyPass::GetOptions(), "DepthNear", this->DepthNear, distance);
 }
 
 //------------------------------------------------------------------------------
 void vtkWeightedTransparencyPass::SetDepthFar(double distance)
 {
-  this->SetDistance("DepthFar", this->DepthFar, distance);
+  vtkTranslucencyOption::SetProperty(this, vtkWeightedTransparencyPass::GetOptions(), "DepthFar", this->DepthFar, distance);
 }
 
 //------------------------------------------------------------------------------

@@ -104,7 +104,6 @@ protected:
   double DepthFar = 500;
 
 private:
-  void SetDistance(const char* name, double& member, double distance);
 
   vtkTranslucencyTargets Sums;
 

@@ -327,8 +327,8 @@ TEST_F(TestAbsorbancePassOf, BadValuesAreErrorsAndChangeNothing)
     { [&] { fourier->SetCoefficients(16); }, "Coefficients is 16, expected 1 to 15" },
     { [&] { map->SetSlices(0); }, "Slices is 0, expected 1 to 32" },
     { [&] { map->SetSlices(33); }, "Slices is 33, expected 1 to 32" },
-    { [&] { map->SetMemory(2); }, "Memory is 2, expected Variable (0) or Fixed (1)" },
-    { [&] { fourier->SetBounds(-1); }, "Bounds is -1, expected Fragments (0) or Props (1)" },
+    { [&] { map->SetMemory(2); }, "Memory is 2, expected variable (0) or fixed (1)" },
+    { [&] { fourier->SetBounds(-1); }, "Bounds is -1, expected fragments (0) or props (1)" },
     { [&] { fourier->SetOption("alpha_correction", "maybe"); }, "alpha_correction is 'maybe', expected off or on" },
     { [&] { map->SetOption("slices", "3.5"); }, "slices is '3.5', expected an integer in 1..32" },
   };

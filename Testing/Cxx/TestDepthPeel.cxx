@@ -453,7 +453,7 @@ TEST_F(TestDepthPeelOptions, OutOfRangeAreErrorsAndChangeNothing)
     { [&] { pass->SetLayers(65537); }, "Layers is 65537, expected" },
     { [&] { pass->SetTail(-1); }, "Tail is -1, expected" },
     { [&] { pass->SetTail(2); }, "Tail is 2, expected" },
-    { [&] { pass->SetMemoryLimit(-1); }, "MemoryLimit is -1 MiB, expected" },
+    { [&] { pass->SetMemoryLimit(-1); }, "MemoryLimit is -1, expected" },
     { [&] { pass->SetOption("method", "bucket"); }, "method is 'bucket', expected front-to-back, dual or bucket-sort" },
     { [&] { pass->SetOption("layers", "-1"); }, "layers is '-1', expected" },
     { [&] { pass->SetOption("memory_limit", "-1"); }, "memory_limit is '-1', expected" },

@@ -363,11 +363,11 @@ TEST_F(TestScreenDoorWindow, OptionsOutOfRangeAreErrorsAndChangeNothing)
     pass->SetMask(value);
     std::vector<std::string> messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Mask is " + std::to_string(value) + ", expected Ordered4x4 (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Mask is " + std::to_string(value) + ", expected ordered-4x4 (0)"), std::string::npos) << messages[0];
     pass->SetOffset(value);
     messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Offset is " + std::to_string(value) + ", expected NoOffset (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Offset is " + std::to_string(value) + ", expected none (0)"), std::string::npos) << messages[0];
   }
   EXPECT_EQ(pass->GetMTime(), before);
   EXPECT_EQ(pass->GetOption("mask"), "blue-noise");

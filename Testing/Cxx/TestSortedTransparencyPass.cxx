@@ -287,11 +287,11 @@ TEST_F(TestSortedOptions, OutOfRangeAreErrorsAndChangeNothing)
     pass->SetOrder(value);
     std::vector<std::string> messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Order is " + std::to_string(value) + ", expected Object (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Order is " + std::to_string(value) + ", expected object (0)"), std::string::npos) << messages[0];
     pass->SetOperator(value);
     messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Operator is " + std::to_string(value) + ", expected Over (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Operator is " + std::to_string(value) + ", expected over (0)"), std::string::npos) << messages[0];
   }
   EXPECT_EQ(pass->GetMTime(), before);
   EXPECT_EQ(pass->GetOption("order"), "object");

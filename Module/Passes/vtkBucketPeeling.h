@@ -1,0 +1,25 @@
+/**
+ * Peels up to 32 layers of a pixel in a drawing of the geometry: BucketSort of vtkDepthPeelPass, which tells how.
+ */
+#ifndef vtkBucketPeeling_h
+#define vtkBucketPeeling_h
+
+#include "vtkPeelingSettings.h"
+#include "vtkTranslucencyPixels.h"
+
+class vtkTranslucencyFrame;
+
+class vtkBucketPeeling
+{
+public:
+  /// Draws the current tile, with buckets that take no more than the limit (MiB, 0 for the default).
+  bool Render(vtkTranslucencyFrame& frame, const vtkPeelingSettings& settings, double memoryLimit);
+
+  vtkTypeInt64 GetBytes() const { return this->Buckets.GetBytes(); }
+  void Release(bool contextAlive) { this->Buckets.Release(contextAlive); }
+
+private:
+  vtkTranslucencyPixels Buckets;
+};
+
+#endif

@@ -1,0 +1,24 @@
+/**
+ * What the algorithms of vtkDepthPeelPass have in common.
+ */
+#ifndef vtkPeelingSettings_h
+#define vtkPeelingSettings_h
+
+#include <string>
+
+struct vtkPeelingSettings
+{
+  int Layers = 0;           ///< the most to peel; 0: all
+  bool AveragesTail = true; ///< whether what is left after so many is drawn as one layer of its mean colour
+
+  static constexpr int MostLayers = 65536;
+
+  /// Why peeling is given up.
+  static std::string GetTooMany()
+  {
+    return "more than " + std::to_string(MostLayers) +
+      " layers, expected no more: depths of the same fragments may differ from drawing to drawing";
+  }
+};
+
+#endif
