@@ -2,10 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
 #include <sstream>
 
 #include "vtkObject.h"
 #include "vtkVariant.h"
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyOption::IsOpen() const
+{
+  return !std::isfinite(this->Maximum) || (this->Type == Kind::Integer && this->Maximum == VTK_INT_MAX);
+}
 
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyOption::Range() const
@@ -20,7 +28,7 @@ std::string vtkTranslucencyOption::Range() const
     return out.str();
   }
   out << this->Minimum << "..";
-  if (std::isfinite(this->Maximum))
+  if (!this->IsOpen())
   {
     out << this->Maximum;
   }
@@ -40,13 +48,13 @@ std::string vtkTranslucencyOption::Expected() const
     return out.str();
   }
   out << this->Minimum;
-  if (std::isfinite(this->Maximum))
+  if (this->IsOpen())
   {
-    out << " to " << this->Maximum;
+    out << " or more";
   }
   else
   {
-    out << " or more";
+    out << " to " << this->Maximum;
   }
   return out.str();
 }
@@ -69,7 +77,9 @@ bool vtkTranslucencyOption::Check(
     }
     if (option.Name == name)
     {
-      vtkErrorWithObjectMacro(object, << name << " is " << value << ", expected " << option.Expected());
+      std::ostringstream text; // of the whole number, however large
+      text << std::setprecision(std::numeric_limits<double>::digits10) << value;
+      vtkErrorWithObjectMacro(object, << name << " is " << text.str() << ", expected " << option.Expected());
       return false;
     }
   }

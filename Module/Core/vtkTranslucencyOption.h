@@ -40,6 +40,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
   /// The same for those who set the property: "1 to 64", "linked-list (0) or t-buffer (1)".
   std::string Expected() const;
 
+  /// Whether there is no largest value that would be worth saying.
+  bool IsOpen() const;
+
   /// Whether the option takes the value; NaN is none.
   bool Takes(double value) const;
 
