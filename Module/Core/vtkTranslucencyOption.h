@@ -50,16 +50,18 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
   static bool Check(vtkObject* object, const std::vector<vtkTranslucencyOption>& options, const char* name, double value);
 
   /// The setter of a property that is an option: if that takes the value, the property becomes it, and the object is modified if it was another one; else
-  /// an error, and nothing changes.
+  /// an error, and nothing changes. Gives whether the property is another one now.
   template <typename Object, typename Value>
-  static void SetProperty(
+  static bool SetProperty(
     Object* object, const std::vector<vtkTranslucencyOption>& options, const char* name, Value& property, Value value)
   {
-    if (Check(object, options, name, static_cast<double>(value)) && property != value)
+    const bool changes = Check(object, options, name, static_cast<double>(value)) && property != value;
+    if (changes)
     {
       property = value;
       object->Modified();
     }
+    return changes;
   }
 
   /// The value as text, as Parse takes it; "other" where it is none of the choices.

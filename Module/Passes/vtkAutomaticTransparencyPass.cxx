@@ -161,8 +161,10 @@ void vtkAutomaticTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkAutomaticTransparencyPass::SetNumber(const char* name, double& member, double value)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkAutomaticTransparencyPass::GetOptions(), name, member, value);
-  this->Chooser->SetBudget({ this->BudgetMilliseconds, this->BudgetMebibytes, this->Tolerance });
+  if (vtkTranslucencyOption::SetProperty(this, vtkAutomaticTransparencyPass::GetOptions(), name, member, value))
+  {
+    this->Chooser->SetBudget({ this->BudgetMilliseconds, this->BudgetMebibytes, this->Tolerance }); // forgets what was measured
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -105,7 +105,11 @@ void vtkFragmentListPass::SetSectionLength(int fragments)
   {
     this->SectionLengthGiven = true;
     this->SectionLengthWarned = false;
-    vtkTranslucencyOption::SetProperty(this, vtkFragmentListPass::GetOptions(), "SectionLength", this->SectionLength, fragments);
+    if (this->SectionLength != fragments)
+    {
+      this->SectionLength = fragments;
+      this->Modified();
+    }
     this->UseSectionLength();
   }
 }

@@ -241,6 +241,24 @@ TEST_F(TestAutomatic, LeavesOutWhatTheDriverCanNotRun)
 }
 
 //------------------------------------------------------------------------------
+// Programs set what they want before each frame.
+TEST_F(TestAutomatic, KnowsWhatItHasMeasuredWhereABudgetStaysTheSame)
+{
+  constexpr double none = 0.001;
+  vtkNew<vtkAutomaticTransparencyPass> pass;
+  pass->SetBudgetMilliseconds(none);
+  View view(Scene());
+  view.SetPass(pass);
+  const std::string settled = Choices(view, pass, 100).back();
+  EXPECT_NE(settled, "exact"); // what it would begin with anew
+  pass->SetBudgetMilliseconds(none);
+  EXPECT_EQ(Choices(view, pass, 5), Names{ settled });
+  pass->SetBudgetMilliseconds(-1);
+  EXPECT_EQ(TakeMessages().size(), 1u);
+  EXPECT_EQ(Choices(view, pass, 5), Names{ settled });
+}
+
+//------------------------------------------------------------------------------
 TEST_F(TestAutomatic, RefusesOptionsOutOfRange)
 {
   vtkNew<vtkAutomaticTransparencyPass> pass;
