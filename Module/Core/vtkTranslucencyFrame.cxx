@@ -379,15 +379,11 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
   vtkTranslucencyShader::SetUniforms(program, bound.GetUnits());
   this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
   this->Geometry->PrepareColors(stage);
-  const auto draw = [this] { this->Resources.Programs.DrawVertices(GL_TRIANGLES, 3); };
   if (any)
   {
-    *any = vtkTranslucencyAnySamplesPass(draw);
+    *any = false;
   }
-  else
-  {
-    draw();
-  }
+  vtkTranslucencyDrawAndAsk(any, [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); });
   this->FinishRecords();
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;

@@ -15,23 +15,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
-namespace
-{
-// Draws, and notes if a fragment was left, if that is asked for.
-template <typename Function>
-void DrawAndAsk(bool* any, const Function& draw)
-{
-  if (any)
-  {
-    *any = vtkTranslucencyAnySamplesPass(draw) || *any;
-  }
-  else
-  {
-    draw();
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 vtkTranslucencyGeometry::vtkTranslucencyGeometry(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources,
   const vtkRenderState* state, vtkOpenGLRenderWindow* window, vtkTranslucencyFrameShaders& shaders)
@@ -173,7 +156,7 @@ void vtkTranslucencyGeometry::DrawProps(
     vtkTranslucencySetProps(together, reached, state);
     vtkRenderPass* props = this->Pass->GetTranslucentPass();
     const auto draw = [&] { kept.Mappers->Draw(&together, props); };
-    DrawAndAsk(any, [&] { kept.Unreached.Watch(this->Window, draw); });
+    vtkTranslucencyDrawAndAsk(any, [&] { kept.Unreached.Watch(this->Window, draw); });
     kept.RenderedProps += props->GetNumberOfRenderedProps();
   }
   for (vtkProp* prop : unreached)
@@ -243,7 +226,7 @@ bool vtkTranslucencyGeometry::HandOver(vtkProp* prop, int layer, bool* any)
     return false;
   }
   vtkTranslucencyShader::SetUniforms(program, textures.GetUnits());
-  DrawAndAsk(any, [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); });
+  vtkTranslucencyDrawAndAsk(any, [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); });
   return true;
 }
 

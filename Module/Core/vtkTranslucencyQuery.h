@@ -21,4 +21,18 @@ bool vtkTranslucencyAnySamplesPass(const Function& draw)
   return passed != 0;
 }
 
+/// Draws; any becomes true if anything passes. Where any is null nobody asks, and nothing is waited for.
+template <typename Function>
+void vtkTranslucencyDrawAndAsk(bool* any, const Function& draw)
+{
+  if (any)
+  {
+    *any = vtkTranslucencyAnySamplesPass(draw) || *any;
+  }
+  else
+  {
+    draw();
+  }
+}
+
 #endif
