@@ -8,7 +8,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
-#include <regex>
+#include <algorithm>
 
 namespace
 {
@@ -42,13 +42,18 @@ std::string GatherCall(int outputs, bool critical, bool mean)
 // A main function with a call, and what it writes: alone, the text has no declarations of what VTK's shaders write.
 std::string Main(const std::string& call, int outputs, bool fetches)
 {
-  std::string main = "gl_FragData[0] = vec4(1.0); " + std::regex_replace(call, std::regex("GATHERED_DEPTH"), "0.5");
-  std::string declarations = fetches ? "" : "out vec4 fragOutput0;\n";
-  main = fetches ? vtkTranslucencyShader::FreeOutputs(main)
-                 : std::regex_replace(main, std::regex("gl_FragData\\[(\\d+)\\]"), "fragOutput$1");
-  for (int i = 1; i < outputs; ++i)
+  std::string main = "gl_FragData[0] = vec4(1.0); " + call;
+  vtkShaderProgram::Substitute(main, "GATHERED_DEPTH", "0.5");
+  std::string declarations;
+  if (fetches)
   {
-    declarations += "out vec4 fragOutput" + std::to_string(i) + ";\n";
+    main = vtkTranslucencyShader::FreeOutputs(main);
+  }
+  for (int i = 0; i < std::max(outputs, 1) && !fetches; ++i)
+  {
+    const std::string output = "fragOutput" + std::to_string(i);
+    vtkShaderProgram::Substitute(main, "gl_FragData[" + std::to_string(i) + "]", output);
+    declarations += "out vec4 " + output + ";\n";
   }
   return declarations + "void main() { " + main + " }\n";
 }

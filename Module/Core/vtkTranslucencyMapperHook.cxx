@@ -11,8 +11,7 @@
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
-
-#include <regex>
+#include "vtksys/RegularExpression.hxx"
 
 vtkStandardNewMacro(vtkTranslucencyMapperHook);
 
@@ -36,8 +35,7 @@ void CullFaces(vtkOpenGLState* state, vtkTranslucencyStage::Faces drawn, vtkProp
 // True if a fragment shader gives its fragments a depth of its own.
 bool SetsDepth(const std::string& fragmentShader)
 {
-  static const std::regex assignment("gl_FragDepth\\s*=[^=]");
-  return std::regex_search(fragmentShader, assignment);
+  return vtksys::RegularExpression("gl_FragDepth[ \t\n]*=[^=]").find(fragmentShader);
 }
 }
 
@@ -91,7 +89,8 @@ bool vtkTranslucencyMapperHook::Insert(std::string& fragmentShader, const std::s
               "layout(post_depth_coverage) in;\n#endif\n"; // the samples that pass the test
   }
   const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
-  const std::string call = std::regex_replace(this->Text.Call, std::regex("GATHERED_DEPTH"), depth);
+  std::string call = this->Text.Call;
+  vtkShaderProgram::Substitute(call, "GATHERED_DEPTH", depth);
   const std::string reject = std::string(tests ? "if (behindOpaque(gl_FragDepth)) { discard; }\n" : "") +
     (this->Text.Rejects ? "rejectFragment(" + depth + ");\n" : "");
 

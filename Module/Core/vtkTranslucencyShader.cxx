@@ -5,8 +5,10 @@
 
 #include "vtkNew.h"
 #include "vtkShaderProgram.h"
+#include "vtksys/RegularExpression.hxx"
 
 #include <algorithm>
+#include <cctype>
 #include <regex>
 #include <sstream>
 
@@ -14,6 +16,22 @@ namespace
 {
 // Source numbers start here, so that they can't be mistaken for the surrounding text's own, 0.
 constexpr int FirstSource = 101;
+
+bool IsOfWord(char character)
+{
+  return std::isalnum(static_cast<unsigned char>(character)) || character == '_';
+}
+
+// Not by a regular expression: for each define of each shader, these take hundreds of milliseconds of a first frame.
+bool Mentions(const std::string& text, const std::string& word)
+{
+  std::size_t at = text.find(word);
+  while (at != std::string::npos && ((at > 0 && IsOfWord(text[at - 1])) || IsOfWord(text[at + word.size()]))) // behind the last is 0
+  {
+    at = text.find(word, at + 1);
+  }
+  return at != std::string::npos;
+}
 }
 
 // A driver that lacks it would warn.
@@ -64,8 +82,7 @@ bool vtkTranslucencyShader::Define(const Defines& defines, bool required, std::s
 {
   for (const auto& define : defines)
   {
-    const bool mentioned =
-      std::regex_search(this->Text, std::regex("\\b" + define.first + "\\b"));
+    const bool mentioned = Mentions(this->Text, define.first);
     if (!mentioned && required)
     {
       this->Error = "shader " + this->Files.front() + ": the define " + define.first +
@@ -108,19 +125,17 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
     this->Text += "#line " + std::to_string(next - 1) + " " + std::to_string(number) + "\n";
   };
   mark(1);
-  static const std::regex include("\\s*#\\s*include\\s+\"([^\"]+)\".*");
+  vtksys::RegularExpression include("^[ \t]*#[ \t]*include[ \t]+\"([^\"]+)\"");
   std::istringstream lines(source);
   std::string text;
-  std::smatch match;
   for (int here = 1; std::getline(lines, text); ++here)
   {
-    if (std::regex_match(text, match, include))
+    if (include.find(text))
     {
-      std::string included = match[1].str();
+      std::string included = include.match(1);
       for (const auto& selected : this->Selected)
       {
-        included = std::regex_replace(
-          included, std::regex("^" + selected.first + "/Selected"), selected.first + "/" + selected.second);
+        vtkShaderProgram::Substitute(included, selected.first + "/Selected", selected.first + "/" + selected.second);
       }
       if (!this->Append(included, file, here))
       {
@@ -170,7 +185,9 @@ std::string vtkTranslucencyShader::NameSources(const std::string& log) const
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyShader::FreeOutputs(const std::string& text)
 {
-  return std::regex_replace(text, std::regex("gl_FragData\\["), "gatheredColors[");
+  std::string freed = text;
+  vtkShaderProgram::Substitute(freed, "gl_FragData[", "gatheredColors[");
+  return freed;
 }
 
 //------------------------------------------------------------------------------
