@@ -1,5 +1,6 @@
-// What adaptive transparency does with the fragments of pixels, by the shaders' own text: scripts/document-adaptive compiles this file as a library,
-// once for each number of nodes and rule of removal, with NODE_COUNT and NODE_REMOVAL, and REMOVAL_LOSS and REMOVAL_WIDER for rules that the shaders don't have.
+// What adaptive transparency does with the fragments of pixels, by the shaders' own text: scripts/document-adaptive
+// compiles this file as a library, once for each number of nodes and rule of removal, with NODE_COUNT and NODE_REMOVAL,
+// and REMOVAL_LOSS and REMOVAL_WIDER for rules that the shaders don't have.
 #include <glm/glm.hpp>
 
 #include <cstddef>
@@ -13,12 +14,13 @@ using namespace glm;
 #include "Common/AlphaCorrection.glsl"
 }
 
-/// Of pixels with so many fragments each, in the order of insertion, what their functions say of each fragment: the visibility that the paper gives it,
-/// and the one that the shaders weigh it with, both before a pixel's weights are scaled; the transmittances before and behind the node in front of it,
-/// or at it (1 and 1 before the first), that node's number, -1 before the first, and how far it lies from that to the next one or to the farthest fragment, from 0, its own
-/// node, to 1. scales are what the pixels' weights are scaled by in the end.
-extern "C" void weighPixels(int pixels, int fragments, const float* depths, const float* opacities, float* paper, float* weighed, float* before,
-  float* behind, int* nodes, float* distances, float* scales)
+/// Of pixels with so many fragments each, in the order of insertion, what their functions say of each fragment: the
+/// visibility that the paper gives it, and the one that the shaders weigh it with, both before a pixel's weights are
+/// scaled; the transmittances before and behind the node in front of it, or at it (1 and 1 before the first), that
+/// node's number, -1 before the first, and how far it lies from that to the next one or to the farthest fragment, from
+/// 0, its own node, to 1. scales are what the pixels' weights are scaled by in the end.
+extern "C" void weighPixels(int pixels, int fragments, const float* depths, const float* opacities, float* paper,
+  float* weighed, float* before, float* behind, int* nodes, float* distances, float* scales)
 {
   for (int pixel = 0; pixel < pixels; ++pixel)
   {
@@ -47,11 +49,13 @@ extern "C" void weighPixels(int pixels, int fragments, const float* depths, cons
       {
         node = visibility.z[k] <= depth ? k : node;
       }
-      const float next = node + 1 < NODE_COUNT && visibility.z[node + 1] < NODE_EMPTY ? visibility.z[node + 1] : farthest;
+      const float next =
+        node + 1 < NODE_COUNT && visibility.z[node + 1] < NODE_EMPTY ? visibility.z[node + 1] : farthest;
       nodes[i] = node;
       before[i] = node > 0 ? visibility.t[node - 1] : 1;
       behind[i] = node >= 0 ? visibility.t[node] : 1;
-      distances[i] = node >= 0 && next > visibility.z[node] ? (depth - visibility.z[node]) / (next - visibility.z[node]) : 0;
+      distances[i] =
+        node >= 0 && next > visibility.z[node] ? (depth - visibility.z[node]) / (next - visibility.z[node]) : 0;
     }
     scales[pixel] = removed ? correctionOf(sums.weights, transmittance) : 1;
   }

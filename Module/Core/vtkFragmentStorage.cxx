@@ -22,7 +22,8 @@ void vtkFragmentStorage::SetColorFormat(int format)
 //------------------------------------------------------------------------------
 void vtkFragmentStorage::SetMemoryLimit(double mebibytes)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkFragmentStorage::GetOptions(), "MemoryLimit", this->MemoryLimit, mebibytes);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkFragmentStorage::GetOptions(), "MemoryLimit", this->MemoryLimit, mebibytes);
 }
 
 //------------------------------------------------------------------------------
@@ -37,8 +38,7 @@ std::vector<vtkTranslucencyOption> vtkFragmentStorage::GetOptions()
     { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
       "graphics memory for fragments, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the "
       "driver's memory, or 2048",
-      [this] { return this->GetMemoryLimit(); },
-      [this](double value) { this->SetMemoryLimit(value); } } };
+      [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,8 @@
  *
  * 1. Begin: buffers of the size that the last frames needed, emptied and bound.
  * 2. The geometry is drawn; the shaders call storeFragment (see Shaders/README.md for the contract).
- * 3. End: reads what was allocated. Nothing is ever dropped: if fragments did not fit, the storage has grown and the tile
- *    is drawn again, or, where it would pass the memory limit, the tile is cut into parts.
+ * 3. End: reads what was allocated. Nothing is ever dropped: if fragments did not fit, the storage has grown and the
+ * tile is drawn again, or, where it would pass the memory limit, the tile is cut into parts.
  * 4. The technique's resolve reads the fragments.
  */
 #ifndef vtkFragmentStorage_h
@@ -39,9 +39,9 @@ public:
 
   ///@{
   /**
-   * How a fragment's colour and opacity are kept: HalfFloat (the default, 8 bytes: keeps opacities below 1/255 and colours
-   * above 1) or RGBA8 (4 bytes: each channel rounded to 1/255). Where props have transmission colours there are three opacities,
-   * which take 4 bytes more. Another value is an error and changes nothing.
+   * How a fragment's colour and opacity are kept: HalfFloat (the default, 8 bytes: keeps opacities below 1/255 and
+   * colours above 1) or RGBA8 (4 bytes: each channel rounded to 1/255). Where props have transmission colours there are
+   * three opacities, which take 4 bytes more. Another value is an error and changes nothing.
    */
   void SetColorFormat(int format);
   vtkGetMacro(ColorFormat, int);
@@ -50,8 +50,8 @@ public:
   ///@{
   /**
    * The most graphics memory that the storage may take, in MiB; more fragments than fit are drawn in tiles. 0 (the
-   * default) means a quarter of what the driver reports, or 2048 where it reports nothing. A negative value is an error and
-   * changes nothing; a limit that does not hold one row of pixels with one fragment each is an error when drawing.
+   * default) means a quarter of what the driver reports, or 2048 where it reports nothing. A negative value is an error
+   * and changes nothing; a limit that does not hold one row of pixels with one fragment each is an error when drawing.
    */
   void SetMemoryLimit(double mebibytes);
   vtkGetMacro(MemoryLimit, double);
@@ -70,7 +70,8 @@ public:
     OutOfMemory, // the driver has no memory, even for less than the limit
   };
 
-  /// How many opacities a fragment has, 1 or 3 (Shaders/Common/Channels.glsl), and a pixel samples, from the next tile on. Core's to set.
+  /// How many opacities a fragment has, 1 or 3 (Shaders/Common/Channels.glsl), and a pixel samples, from the next tile
+  /// on. Core's to set.
   void SetChannelsAndSamples(int channels, int samples)
   {
     this->Channels = channels;
@@ -84,10 +85,10 @@ public:
   virtual std::map<std::string, std::string> GetDefines() const;
 
   /// Empty if the storage can serve a viewport of this size under the limit, else why not.
-  virtual std::string GetObstacle(
-    const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
+  virtual std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
 
-  /// Before the first tile of a frame: what shaders need defined may change here, and nowhere else but by setting properties.
+  /// Before the first tile of a frame: what shaders need defined may change here, and nowhere else but by setting
+  /// properties.
   virtual void BeginFrame(const vtkTranslucencyCapabilities& capabilities) = 0;
 
   /// Makes ready for a tile: OutOfMemory or Complete.
@@ -99,12 +100,13 @@ public:
   /// After TooLarge: how many parts of this tile would fit, if fragments were spread evenly; at least 2.
   virtual int GetPartsNeeded() const = 0;
 
-  /// What is run before fragments can be read: a file of Module/Shaders that is drawn, an invocation for each of the cells that BeginRetrieval gives,
-  /// until it discards them all; null where nothing is to be run.
+  /// What is run before fragments can be read: a file of Module/Shaders that is drawn, an invocation for each of the
+  /// cells that BeginRetrieval gives, until it discards them all; null where nothing is to be run.
   virtual const char* GetRetrieval() const { return nullptr; }
   virtual std::array<int, 2> BeginRetrieval() { return { { 0, 0 } }; }
 
-  /// Of storages whose fragments have no links: whether they have got some in this tile, because their order is changed.
+  /// Of storages whose fragments have no links: whether they have got some in this tile, because their order is
+  /// changed.
   enum class Links
   {
     None = 0,
@@ -112,7 +114,8 @@ public:
     Mixed = 2, // it has been changed, of some
   };
 
-  /// Before a shader that changes the order of fragments (Shaders/Storage/SortList.glsl): false if there is no memory for that.
+  /// Before a shader that changes the order of fragments (Shaders/Storage/SortList.glsl): false if there is no memory
+  /// for that.
   virtual bool ReserveLinks() { return true; }
 
   /// What shaders that change no fragments may fetch as texels: a buffer, by the name of its sampler.
@@ -136,8 +139,8 @@ public:
 
   /// Units of room that they take; and whether that many units of a viewport would be taken in one tile.
   virtual vtkTypeInt64 GetUnits() const = 0;
-  virtual bool Fits(vtkTypeInt64 units, const Rectangle& viewport,
-    const vtkTranslucencyCapabilities& capabilities) const = 0;
+  virtual bool Fits(
+    vtkTypeInt64 units, const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
 
   /// Bytes as allocated.
   virtual vtkTypeInt64 GetBytes() const = 0;

@@ -70,7 +70,8 @@ void vtkTranslucencyBlending::Keep(vtkOpenGLState* state, const vtkTranslucencyS
   const BlendFunction first = GetFunction(stage, 0);
   std::array<int, 4> found;
   state->GetBlendFuncState(found.data());
-  if (!std::equal(found.begin(), found.end(), std::begin(first.Factors), [](int a, auto b) { return a == static_cast<int>(b); }))
+  if (!std::equal(
+        found.begin(), found.end(), std::begin(first.Factors), [](int a, auto b) { return a == static_cast<int>(b); }))
   {
     Set(state, stage);
   }

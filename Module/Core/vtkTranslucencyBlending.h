@@ -1,5 +1,6 @@
 /**
- * The blend functions of a stage, through VTK's cache of OpenGL's state, which knows one for all buffers: that of the first one.
+ * The blend functions of a stage, through VTK's cache of OpenGL's state, which knows one for all buffers: that of the
+ * first one.
  */
 #ifndef vtkTranslucencyBlending_h
 #define vtkTranslucencyBlending_h

@@ -15,8 +15,7 @@ bool vtkTranslucencyBuffer::Reserve(vtkTypeInt64 bytes)
     this->TexelWords = 0; // the texture, if there is one, is not this buffer
   }
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
-  glBufferData(
-    GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
   GLint64 held = 0; // asked rather than glGetError, which would also take errors that are not this allocation's
   glGetBufferParameteri64v(GL_COPY_WRITE_BUFFER, GL_BUFFER_SIZE, &held);
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
@@ -51,8 +50,8 @@ void vtkTranslucencyBuffer::Clear(vtkTypeInt64 bytes, vtkTypeInt64 offset)
 {
   const GLuint zero = 0;
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
-  glClearBufferSubData(GL_COPY_WRITE_BUFFER, GL_R32UI, static_cast<GLintptr>(offset),
-    static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  glClearBufferSubData(GL_COPY_WRITE_BUFFER, GL_R32UI, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+    GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 

@@ -32,10 +32,12 @@ public:
   void BindStorage(unsigned int index) const;
   void BindUniform(unsigned int index) const;
 
-  /// Binds a texture that is the buffer to the active texture unit, as GL_TEXTURE_BUFFER. A texel has 1, 3 or 4 unsigned integers.
+  /// Binds a texture that is the buffer to the active texture unit, as GL_TEXTURE_BUFFER. A texel has 1, 3 or 4
+  /// unsigned integers.
   void BindTexels(int words);
 
-  /// After a drawing whose shaders store to buffers: from now on other shaders see it, and the application, which may write there, too.
+  /// After a drawing whose shaders store to buffers: from now on other shaders see it, and the application, which may
+  /// write there, too.
   static void FinishStores();
 
   /// Bytes as allocated.

@@ -40,7 +40,8 @@ bool AnyDrawOrder()
   const bool any = order && std::string(order) == "any";
   if (order && !any)
   {
-    vtkGenericWarningMacro("TRANSLUCENCY_DRAW_ORDER is '" << order << "', expected 'any', or that it is not set; the driver's own is taken.");
+    vtkGenericWarningMacro("TRANSLUCENCY_DRAW_ORDER is '"
+      << order << "', expected 'any', or that it is not set; the driver's own is taken.");
   }
   return any;
 }
@@ -59,7 +60,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   result.Renderer = window->GetState()->GetRenderer();
 
   const std::set<std::string> extensions = Extensions();
-  const auto missing = [&extensions](const std::vector<std::string>& needed) {
+  const auto missing = [&extensions](const std::vector<std::string>& needed)
+  {
     std::string names;
     for (const std::string& name : needed)
     {
@@ -70,10 +72,10 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
     }
     return names;
   };
-  result.MissingForStorage = missing({ "GL_ARB_shader_storage_buffer_object",
-    "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack",
-    "GL_ARB_shading_language_packing", "GL_ARB_shader_bit_encoding", "GL_ARB_gpu_shader5",
-    "GL_ARB_sample_shading", "GL_ARB_clear_buffer_object", "GL_ARB_texture_buffer_object_rgb32" });
+  result.MissingForStorage = missing(
+    { "GL_ARB_shader_storage_buffer_object", "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack",
+      "GL_ARB_shading_language_packing", "GL_ARB_shader_bit_encoding", "GL_ARB_gpu_shader5", "GL_ARB_sample_shading",
+      "GL_ARB_clear_buffer_object", "GL_ARB_texture_buffer_object_rgb32" });
   result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
   result.MissingForBuffers = missing({ "GL_ARB_draw_buffers_blend", "GL_ARB_explicit_attrib_location" });
   result.MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
@@ -83,8 +85,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &drawn);
   glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attached);
   result.MaximumTargets = std::min({ drawn, attached, MostTargets });
-  for (const char* name : { "GL_INTEL_fragment_shader_ordering", "GL_NV_fragment_shader_interlock",
-         "GL_ARB_fragment_shader_interlock" })
+  for (const char* name :
+    { "GL_INTEL_fragment_shader_ordering", "GL_NV_fragment_shader_interlock", "GL_ARB_fragment_shader_interlock" })
   {
     result.Interlock = extensions.count(name) > 0 ? name : result.Interlock; // the last one is the standard's
   }
@@ -92,7 +94,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   {
     GLint64 bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-    result.MaximumBlockBytes = StartsWith(result.Renderer, "llvmpipe") ? std::max<vtkTypeInt64>(bytes, BlockBytesOfLlvmpipe) : bytes;
+    result.MaximumBlockBytes =
+      StartsWith(result.Renderer, "llvmpipe") ? std::max<vtkTypeInt64>(bytes, BlockBytesOfLlvmpipe) : bytes;
 
     GLint texels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
@@ -102,8 +105,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
     if (blocks < STORAGE_BINDINGS)
     {
-      result.MissingForStorage = "storage blocks in fragment shaders (" +
-        std::to_string(STORAGE_BINDINGS) + " are needed, the driver has " + std::to_string(blocks) + ")";
+      result.MissingForStorage = "storage blocks in fragment shaders (" + std::to_string(STORAGE_BINDINGS) +
+        " are needed, the driver has " + std::to_string(blocks) + ")";
     }
   }
 
@@ -111,8 +114,8 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, points);
   if (result.MissingForStorage.empty() && points[1] < RESOLVE_SQUARE)
   {
-    result.MissingForStorage = "points of " + std::to_string(RESOLVE_SQUARE) +
-      " pixels (its largest have " + std::to_string(points[1]) + ")";
+    result.MissingForStorage =
+      "points of " + std::to_string(RESOLVE_SQUARE) + " pixels (its largest have " + std::to_string(points[1]) + ")";
   }
 
   result.Software = result.Renderer.find("llvmpipe") != std::string::npos || StartsWith(result.Renderer, "softpipe");

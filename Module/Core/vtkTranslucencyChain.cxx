@@ -117,7 +117,8 @@ std::string GetNames(vtkRenderPass* root)
 //------------------------------------------------------------------------------
 void vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* technique)
 {
-  vtkSmartPointer<vtkTranslucencyChain> chain = vtkTranslucencyChain::SafeDownCast(renderer->GetInformation()->Get(CHAIN()));
+  vtkSmartPointer<vtkTranslucencyChain> chain =
+    vtkTranslucencyChain::SafeDownCast(renderer->GetInformation()->Get(CHAIN()));
   if (!chain)
   {
     chain = vtkSmartPointer<vtkTranslucencyChain>::New();
@@ -164,7 +165,8 @@ void vtkTranslucencyChain::Update()
 //------------------------------------------------------------------------------
 void vtkTranslucencyChain::PutIn(bool replaces)
 {
-  const auto useOwnSteps = [this] {
+  const auto useOwnSteps = [this]
+  {
     if (!this->Steps)
     {
       this->Steps = vtkSmartPointer<vtkTranslucencyRenderStepsPass>::New();
@@ -180,7 +182,8 @@ void vtkTranslucencyChain::PutIn(bool replaces)
   {
     vtkWarningWithObjectMacro(this->Renderer,
       << "there is no place for translucent props that is known in the renderer's pass (" << GetNames(root) << "): "
-      << (replaces ? "it is replaced, and what it does is not drawn" : "they are drawn by it instead of by the technique that was enabled"));
+      << (replaces ? "it is replaced, and what it does is not drawn"
+                   : "they are drawn by it instead of by the technique that was enabled"));
     if (replaces)
     {
       useOwnSteps();
@@ -267,8 +270,8 @@ void vtkTranslucencyChain::TakeVolumes(vtkRenderPass* owner, vtkRenderPass* befo
   else
   {
     const std::vector<vtkRenderPass*> children = GetChildren(owner);
-    const auto found =
-      std::find_if(std::find(children.begin(), children.end(), before), children.end(), vtkVolumetricPass::SafeDownCast);
+    const auto found = std::find_if(
+      std::find(children.begin(), children.end(), before), children.end(), vtkVolumetricPass::SafeDownCast);
     volumes = found == children.end() ? nullptr : *found;
   }
   if (volumes)

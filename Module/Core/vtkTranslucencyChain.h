@@ -2,15 +2,17 @@
  * @class   vtkTranslucencyChain
  * @brief   keeps a technique where a renderer draws what is translucent, whatever passes it is given
  *
- * A renderer has one pass, which may be a chain of them; programs and toolkits replace it to add an effect, and set it to null when the last effect
- * goes. So before each frame the chain is looked at, and where it has changed the technique is put into it anew:
+ * A renderer has one pass, which may be a chain of them; programs and toolkits replace it to add an effect, and set it
+ * to null when the last effect goes. So before each frame the chain is looked at, and where it has changed the
+ * technique is put into it anew:
  *
  * - A renderer without a pass gets a vtkTranslucencyRenderStepsPass, which carries out the renderer's own effects.
- * - In a chain the technique takes the place of each pass that draws translucent props: of vtkTranslucentPass, VTK's depth peeling and weighted average,
- *   and another technique, within vtkRenderStepsPass, vtkSequencePass, vtkCameraPass, vtkSSAAPass, every vtkImageProcessingPass and vtkShadowMapPass; a
- *   vtkDefaultPass becomes a sequence. Volumes that are drawn next go to techniques that draw them among the surfaces.
- * - A vtkShadowMapPass draws what is opaque, and what steps before it have drawn would be hidden: there the technique is drawn with it, and shadows fall
- *   on what is translucent.
+ * - In a chain the technique takes the place of each pass that draws translucent props: of vtkTranslucentPass, VTK's
+ * depth peeling and weighted average, and another technique, within vtkRenderStepsPass, vtkSequencePass, vtkCameraPass,
+ * vtkSSAAPass, every vtkImageProcessingPass and vtkShadowMapPass; a vtkDefaultPass becomes a sequence. Volumes that are
+ * drawn next go to techniques that draw them among the surfaces.
+ * - A vtkShadowMapPass draws what is opaque, and what steps before it have drawn would be hidden: there the technique
+ * is drawn with it, and shadows fall on what is translucent.
  *
  * There is one of them a renderer, which owns it.
  */
@@ -34,7 +36,8 @@ public:
   static vtkTranslucencyChain* New();
   vtkTypeMacro(vtkTranslucencyChain, vtkObject);
 
-  /// Puts a technique into a renderer's chain, in the place of an earlier one. A pass that has no place for it is replaced, with a warning.
+  /// Puts a technique into a renderer's chain, in the place of an earlier one. A pass that has no place for it is
+  /// replaced, with a warning.
   static void Enable(vtkRenderer* renderer, vtkRenderPass* technique);
 
   /// Leaves the renderer as it would be if no technique had been put into its chain.

@@ -1,8 +1,10 @@
 /**
- * What a picture is drawn from, as numbers: mostly the modification times of all objects that take part, which VTK never gives twice, and
- * whose addresses tell which they are. Two frames of equal numbers show the same. Brings the pipelines up to date, as drawing would.
+ * What a picture is drawn from, as numbers: mostly the modification times of all objects that take part, which VTK
+ * never gives twice, and whose addresses tell which they are. Two frames of equal numbers show the same. Brings the
+ * pipelines up to date, as drawing would.
  *
- * Actors within assemblies are modified by being drawn: of those it is matrix, visibility, property, textures and mapper that count.
+ * Actors within assemblies are modified by being drawn: of those it is matrix, visibility, property, textures and
+ * mapper that count.
  */
 #ifndef vtkTranslucencyFingerprint_h
 #define vtkTranslucencyFingerprint_h

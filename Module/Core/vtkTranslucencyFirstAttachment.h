@@ -1,9 +1,11 @@
 /**
- * While this object lives, what is drawn goes to the first colour attachment of the framebuffer that is bound, whatever passes around have made of it.
+ * While this object lives, what is drawn goes to the first colour attachment of the framebuffer that is bound, whatever
+ * passes around have made of it.
  *
- * vtkSSAOPass draws positions and normals besides colours: it hooks props, to add outputs to their shaders and to make three attachments those that
- * are drawn to, before each drawing. A shader without these outputs leaves undefined values there, and in a framebuffer of ours they are not there at all. So
- * the other attachments are not drawn to, and the props go without such hooks. Hooks that shade, such as shadows, stay.
+ * vtkSSAOPass draws positions and normals besides colours: it hooks props, to add outputs to their shaders and to make
+ * three attachments those that are drawn to, before each drawing. A shader without these outputs leaves undefined
+ * values there, and in a framebuffer of ours they are not there at all. So the other attachments are not drawn to, and
+ * the props go without such hooks. Hooks that shade, such as shadows, stay.
  */
 #ifndef vtkTranslucencyFirstAttachment_h
 #define vtkTranslucencyFirstAttachment_h

@@ -77,8 +77,8 @@ void vtkTranslucencyFrame::ChooseSamples()
   else if (kept.MissingForSamples != missing)
   {
     kept.MissingForSamples = missing;
-    vtkWarningWithObjectMacro(this->Pass, << "multi-sampled translucency needs " << missing
-                                          << "; drawing it with one sample a pixel");
+    vtkWarningWithObjectMacro(
+      this->Pass, << "multi-sampled translucency needs " << missing << "; drawing it with one sample a pixel");
   }
 }
 
@@ -86,7 +86,8 @@ void vtkTranslucencyFrame::ChooseSamples()
 void vtkTranslucencyFrame::ChooseTransmission()
 {
   vtkTranslucencyFrameShaders::Context& context = this->Shaders->GetContext();
-  switch (this->Resources.Transmission.Choose(this->Pass, this->State, this->Resources.Capabilities.MissingForTransmission))
+  switch (
+    this->Resources.Transmission.Choose(this->Pass, this->State, this->Resources.Capabilities.MissingForTransmission))
   {
     case vtkTranslucencyTransmission::Kind::Colored:
       context.Channels = 3;
@@ -216,7 +217,8 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
       {
         return false;
       }
-      if (outcome == Outcome::Complete && !kept.Mappers->GetVolumes().GetProps().empty()) // they go through whole lists only
+      if (outcome == Outcome::Complete &&
+        !kept.Mappers->GetVolumes().GetProps().empty()) // they go through whole lists only
       {
         if (!this->SortLists({}))
         {
@@ -241,8 +243,8 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
       case Outcome::OutOfMemory:
         if (this->Tiles.IsSmallest())
         {
-          return this->Fail("the driver has no memory for the " +
-            std::to_string(storage->GetFragments()) + " fragments of one pixel");
+          return this->Fail(
+            "the driver has no memory for the " + std::to_string(storage->GetFragments()) + " fragments of one pixel");
         }
         this->Tiles.Cut(outcome == Outcome::TooLarge ? storage->GetPartsNeeded() : 2);
         break;
@@ -251,7 +253,8 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched)
+bool vtkTranslucencyFrame::UsePixels(
+  vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched)
 {
   const bool mayFetch = this->Pass->GetCriticalSection() == vtkTranslucencyPass::Automatic;
   const std::string obstacle = this->Records->Reserve(pixels, words, memoryLimit, fetched, mayFetch);
@@ -279,7 +282,8 @@ bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std
     floats.push_back(vtkTranslucencyTargets::Floats(format));
   }
   const Rectangle& viewport = this->GetViewport();
-  if (!targets.Reserve(viewport[0] + viewport[2], viewport[1] + viewport[3], this->Shaders->GetContext().TargetSamples, floats))
+  if (!targets.Reserve(
+        viewport[0] + viewport[2], viewport[1] + viewport[3], this->Shaders->GetContext().TargetSamples, floats))
   {
     return this->Fail("the driver has no memory for floating-point colours");
   }
@@ -317,8 +321,8 @@ std::array<double, 2> vtkTranslucencyFrame::GetDepthRange() const
 }
 
 //------------------------------------------------------------------------------
-// After a stage that may have changed records of pixels. Where there are none nothing is to be waited for: what goes to targets is seen by whoever
-// reads them.
+// After a stage that may have changed records of pixels. Where there are none nothing is to be waited for: what goes to
+// targets is seen by whoever reads them.
 void vtkTranslucencyFrame::FinishRecords()
 {
   if (this->Records->AreStored())
@@ -408,8 +412,8 @@ std::vector<float> vtkTranslucencyFrame::Read(const vtkTranslucencyTargets& targ
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::Composite(const std::string& file, const Defines& defines,
-  const std::vector<Input>& inputs, const Uniforms& uniforms)
+bool vtkTranslucencyFrame::Composite(
+  const std::string& file, const Defines& defines, const std::vector<Input>& inputs, const Uniforms& uniforms)
 {
   Stage over;
   over.Blend = this->GetOver();

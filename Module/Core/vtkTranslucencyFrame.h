@@ -1,8 +1,8 @@
 /**
  * One frame of a technique: what vtkTranslucencyPass::RenderStages is written in.
  *
- * The viewport is drawn as one tile, or as several where fragment storage would pass its limit. The pass's stages run once
- * a tile; Gather may cut the current tile into parts, of which it goes on with the first.
+ * The viewport is drawn as one tile, or as several where fragment storage would pass its limit. The pass's stages run
+ * once a tile; Gather may cut the current tile into parts, of which it goes on with the first.
  *
  * @code
  * bool vtkSomePass::RenderStages(vtkTranslucencyFrame& frame)
@@ -65,11 +65,12 @@ public:
   /// Draws the translucent props into the storage, as often and in as many tiles as it takes for nothing to be lost.
   bool Gather(vtkFragmentStorage* storage);
 
-  /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for the default).
+  /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for
+  /// the default).
   ///
-  /// They lie in buffers, or, if fetched has words, in colours that fragments fetch (Shaders/Common/PixelTargets.glsl), which is
-  /// several times as fast on the software rasterizer: where the driver can, the critical section is chosen automatically, a pixel has one
-  /// sample, and all of the picture's records find room.
+  /// They lie in buffers, or, if fetched has words, in colours that fragments fetch (Shaders/Common/PixelTargets.glsl),
+  /// which is several times as fast on the software rasterizer: where the driver can, the critical section is chosen
+  /// automatically, a pixel has one sample, and all of the picture's records find room.
   bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched = { 0, 0 });
 
   /// Whether the records last asked for lie in colours.
@@ -88,13 +89,13 @@ public:
   /// Between which depths they lie: vtkTranslucencyScene.
   std::array<double, 2> GetDepthRange() const;
 
-  /// Draws the translucent props. If any is given it becomes whether a fragment was left by the depth test and by the gather, which may
-  /// discard fragments; that waits for the drawing's end.
+  /// Draws the translucent props. If any is given it becomes whether a fragment was left by the depth test and by the
+  /// gather, which may discard fragments; that waits for the drawing's end.
   bool Draw(const Gathering& gathering, const Stage& stage, bool* any = nullptr);
 
-  /// Runs a shader with a main function of its own over the tile, of which each output goes to a buffer of the stage's targets. Several
-  /// outputs need locations, and so Capabilities.MissingForBuffers to be empty. If any is given it becomes whether the shader has left a
-  /// fragment that it did not discard; that waits for it.
+  /// Runs a shader with a main function of its own over the tile, of which each output goes to a buffer of the stage's
+  /// targets. Several outputs need locations, and so Capabilities.MissingForBuffers to be empty. If any is given it
+  /// becomes whether the shader has left a fragment that it did not discard; that waits for it.
   bool DrawScreen(const std::string& file, const Defines& defines, const Stage& stage, bool* any = nullptr);
 
   /// Clears a stage's targets.
@@ -103,11 +104,13 @@ public:
   /// What a buffer holds of the tile, as vtkTranslucencyTargets::Read gives it.
   std::vector<float> Read(const vtkTranslucencyTargets& targets, int index);
 
-  /// Runs a shader (which ends with Shaders/Common/Composite.glsl) over the tile and blends what it gives over the opaque picture.
-  bool Composite(const std::string& file, const Defines& defines, const std::vector<Input>& inputs, const Uniforms& uniforms = {});
+  /// Runs a shader (which ends with Shaders/Common/Composite.glsl) over the tile and blends what it gives over the
+  /// opaque picture.
+  bool Composite(
+    const std::string& file, const Defines& defines, const std::vector<Input>& inputs, const Uniforms& uniforms = {});
 
-  /// Which squares of pixels a resolve draws: those in which the storage expects more than Fewer and at most Most fragments
-  /// a pixel, and those with pixels that earlier resolves have left to this Level, 0 to 29
+  /// Which squares of pixels a resolve draws: those in which the storage expects more than Fewer and at most Most
+  /// fragments a pixel, and those with pixels that earlier resolves have left to this Level, 0 to 29
   /// (Shaders/Common/Statistics.glsl). The default is all squares that hold fragments.
   struct Squares
   {
@@ -119,22 +122,22 @@ public:
     static Squares LeftTo(int level) { return { level, VTK_INT_MAX, VTK_INT_MAX }; }
   };
 
-  /// Numbers that differ from those of an earlier frame wherever the translucent picture may: camera, lights, props and all that they are drawn
-  /// from. For techniques that refine a view over frames while it does not change.
+  /// Numbers that differ from those of an earlier frame wherever the translucent picture may: camera, lights, props and
+  /// all that they are drawn from. For techniques that refine a view over frames while it does not change.
   std::vector<vtkTypeUInt64> GetFingerprint() const;
 
   /// Of a pixel, as far as the window has several and the driver can tell them apart.
   int GetSamples() const;
 
-  /// How many transmittances of a pixel shaders tell apart (Shaders/Common/Channels.glsl): three, of red, green and blue, where a prop that is
-  /// drawn has a transmission colour and the technique keeps them, else one.
+  /// How many transmittances of a pixel shaders tell apart (Shaders/Common/Channels.glsl): three, of red, green and
+  /// blue, where a prop that is drawn has a transmission colour and the technique keeps them, else one.
   int GetChannels() const;
 
   /// How what Shaders/Common/Over.glsl gives is put over the opaque picture.
   Blending GetOver() const;
 
-  /// What the resolves that follow see: WholePixel, or one sample (Shaders/Common/Samples.glsl); and if among is a level, only squares
-  /// with pixels that were left to that, too.
+  /// What the resolves that follow see: WholePixel, or one sample (Shaders/Common/Samples.glsl); and if among is a
+  /// level, only squares with pixels that were left to that, too.
   void SetSample(int sample, int among = -1);
   static constexpr int WholePixel = -1;
 
@@ -144,10 +147,10 @@ public:
   /// Blends them over the opaque picture, all samples in one pass.
   bool CompositeSamples();
 
-  /// Runs a resolve shader over squares of the current tile and blends what it gives over the opaque picture. The storage last
-  /// gathered into is there for it to read. Level 0 comes first. Levels are below LEVEL_EACH_SAMPLE (Shaders/Common/Bindings.glsl).
-  bool Resolve(const std::string& file, const Defines& defines, const Squares& squares,
-    const Uniforms& uniforms = {});
+  /// Runs a resolve shader over squares of the current tile and blends what it gives over the opaque picture. The
+  /// storage last gathered into is there for it to read. Level 0 comes first. Levels are below LEVEL_EACH_SAMPLE
+  /// (Shaders/Common/Bindings.glsl).
+  bool Resolve(const std::string& file, const Defines& defines, const Squares& squares, const Uniforms& uniforms = {});
 
   /// Before a resolve that includes Storage/SortList.glsl.
   bool PrepareSorting();

@@ -213,8 +213,9 @@ vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareProgram(
     {
       vtkTranslucencyShader fragment;
       vtkTranslucencyShader vertex;
-      for (bool ready : { fragment.Assemble(file, defines, offered, selection), vertex.Assemble(vertexFile, {}, offered, selection),
-             fragment.Validate(""), vertex.Validate("", vtkShader::Vertex) })
+      for (bool ready :
+        { fragment.Assemble(file, defines, offered, selection), vertex.Assemble(vertexFile, {}, offered, selection),
+          fragment.Validate(""), vertex.Validate("", vtkShader::Vertex) })
       {
         if (!ready)
         {

@@ -1,6 +1,6 @@
 /**
- * The shaders of one frame: the text that goes into those of mappers, and the programs that run over the screen. All are put together from the same
- * defines, which follow from what the frame draws and where it keeps it.
+ * The shaders of one frame: the text that goes into those of mappers, and the programs that run over the screen. All
+ * are put together from the same defines, which follow from what the frame draws and where it keeps it.
  */
 #ifndef vtkTranslucencyFrameShaders_h
 #define vtkTranslucencyFrameShaders_h
@@ -38,7 +38,8 @@ public:
   /// The file of Shaders/CriticalSection.
   std::string GetCriticalSection() const;
 
-  /// Gives the mappers the text that stores fragments, and that for volumes. False, with the reason in GetError(), if it does not compile.
+  /// Gives the mappers the text that stores fragments, and that for volumes. False, with the reason in GetError(), if
+  /// it does not compile.
   bool PrepareStoring();
 
   /// The same for a technique without lists.

@@ -29,15 +29,14 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bo
   glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
   glGetIntegerv(GL_CURRENT_PROGRAM, &this->Program);
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
-  for (unsigned int capability :
-    { GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_MULTISAMPLE })
+  for (unsigned int capability : { GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_MULTISAMPLE })
   {
     this->Enabled.emplace_back(capability, state->GetEnumState(capability));
   }
 
   std::vector<std::pair<unsigned int, unsigned int>> targets{ { GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING },
     { GL_ELEMENT_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER_BINDING }, // of the vertex array
-    { GL_COPY_READ_BUFFER, GL_COPY_READ_BUFFER }, // these two are asked for by their own names
+    { GL_COPY_READ_BUFFER, GL_COPY_READ_BUFFER },                 // these two are asked for by their own names
     { GL_COPY_WRITE_BUFFER, GL_COPY_WRITE_BUFFER } };
   if (storage)
   {
@@ -50,8 +49,9 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bo
     glGetIntegerv(target.second, &buffer);
     this->Buffers.emplace_back(target.first, buffer);
   }
-  const auto saveIndexed = [this](unsigned int target, unsigned int binding, unsigned int start,
-                             unsigned int size, unsigned int count) {
+  const auto saveIndexed =
+    [this](unsigned int target, unsigned int binding, unsigned int start, unsigned int size, unsigned int count)
+  {
     for (unsigned int index = 0; index < count; ++index)
     {
       BufferBinding saved{ target, index, 0, 0, 0 };
@@ -66,10 +66,10 @@ vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bo
   };
   if (storage)
   {
-    saveIndexed(GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING,
-      GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE, STORAGE_BINDINGS);
-    saveIndexed(GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START,
-      GL_UNIFORM_BUFFER_SIZE, UNIFORM_BINDINGS);
+    saveIndexed(GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START,
+      GL_SHADER_STORAGE_BUFFER_SIZE, STORAGE_BINDINGS);
+    saveIndexed(
+      GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE, UNIFORM_BINDINGS);
   }
 }
 
@@ -103,26 +103,21 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
   // The cache must forget its program before ours is put back behind its back.
   this->Window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Program));
-  state->vtkglClearColor(
-    this->ClearColor[0], this->ClearColor[1], this->ClearColor[2], this->ClearColor[3]);
+  state->vtkglClearColor(this->ClearColor[0], this->ClearColor[1], this->ClearColor[2], this->ClearColor[3]);
   state->vtkglPointSize(this->PointSize);
   state->vtkglLineWidth(this->LineWidth);
   state->vtkglActiveTexture(static_cast<unsigned int>(this->ActiveTexture));
   state->vtkglDepthFunc(static_cast<unsigned int>(this->DepthFunction));
   state->vtkglCullFace(static_cast<unsigned int>(this->CulledFaces));
   state->vtkglDepthMask(this->DepthMask);
-  state->vtkglColorMask(
-    this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
-  state->vtkglBlendEquationSeparate(static_cast<unsigned int>(this->BlendEquation[0]),
-    static_cast<unsigned int>(this->BlendEquation[1]));
+  state->vtkglColorMask(this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
+  state->vtkglBlendEquationSeparate(
+    static_cast<unsigned int>(this->BlendEquation[0]), static_cast<unsigned int>(this->BlendEquation[1]));
   state->vtkglBlendFuncSeparate(static_cast<unsigned int>(this->BlendFunction[0]),
-    static_cast<unsigned int>(this->BlendFunction[1]),
-    static_cast<unsigned int>(this->BlendFunction[2]),
+    static_cast<unsigned int>(this->BlendFunction[1]), static_cast<unsigned int>(this->BlendFunction[2]),
     static_cast<unsigned int>(this->BlendFunction[3]));
-  state->vtkglScissor(
-    this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
-  state->vtkglViewport(
-    this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+  state->vtkglScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
+  state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
   state->PopFramebufferBindings();
 }
 

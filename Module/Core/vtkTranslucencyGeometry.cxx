@@ -27,8 +27,8 @@ vtkTranslucencyGeometry::vtkTranslucencyGeometry(vtkTranslucencyPass* pass, vtkT
 }
 
 //------------------------------------------------------------------------------
-// A software rasterizer spends a fifth of a multi-sampled gather on the depth test: worth asking whether the depth buffer holds
-// anything, in this tile, that could hide a fragment.
+// A software rasterizer spends a fifth of a multi-sampled gather on the depth test: worth asking whether the depth
+// buffer holds anything, in this tile, that could hide a fragment.
 bool vtkTranslucencyGeometry::NeedsDepthTest()
 {
   if (this->Shaders.GetContext().Samples == 1 || !this->Resources.Capabilities.Software ||
@@ -103,8 +103,9 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
   kept.RenderedProps = 0;
   if (colors && !stage.Targets) // what goes over the opaque picture can't be drawn again
   {
-    kept.Unreached.Warn(this->Pass, kept.Unreached.LookAhead(this->State, this->Window,
-      [&](const vtkRenderState* some) { kept.Mappers->Draw(some, this->Pass->GetTranslucentPass()); }));
+    kept.Unreached.Warn(this->Pass,
+      kept.Unreached.LookAhead(this->State, this->Window,
+        [&](const vtkRenderState* some) { kept.Mappers->Draw(some, this->Pass->GetTranslucentPass()); }));
   }
   drawing.Values["gatherLayer"] = 0;
   if (any)
@@ -171,7 +172,8 @@ void vtkTranslucencyGeometry::DrawProps(
 }
 
 //------------------------------------------------------------------------------
-// Draws a prop by its own shaders, layer by layer, and gives each layer to the technique as if it had come from the prop.
+// Draws a prop by its own shaders, layer by layer, and gives each layer to the technique as if it had come from the
+// prop.
 void vtkTranslucencyGeometry::DrawUnreached(vtkProp* prop, const vtkTranslucencyStage& stage, bool colors, bool* any)
 {
   vtkTranslucencyResources& kept = this->Resources;

@@ -1,6 +1,6 @@
 /**
- * Draws the translucent props of a frame with the technique's text in their shaders: those that it reaches together, the others one by one behind them,
- * each layer by layer (vtkTranslucencyLayers).
+ * Draws the translucent props of a frame with the technique's text in their shaders: those that it reaches together,
+ * the others one by one behind them, each layer by layer (vtkTranslucencyLayers).
  */
 #ifndef vtkTranslucencyGeometry_h
 #define vtkTranslucencyGeometry_h
@@ -22,8 +22,8 @@ public:
   vtkTranslucencyGeometry(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources, const vtkRenderState* state,
     vtkOpenGLRenderWindow* window, vtkTranslucencyFrameShaders& shaders);
 
-  /// Draws a stage's props, with colours or for what the shaders store only. If any is given it becomes whether a fragment was left by the depth test
-  /// and by the gather; that waits for the drawing's end.
+  /// Draws a stage's props, with colours or for what the shaders store only. If any is given it becomes whether a
+  /// fragment was left by the depth test and by the gather; that waits for the drawing's end.
   void Draw(const vtkTranslucencyStage& stage, bool colors, bool* any = nullptr);
 
   /// Casts rays through the lists of fragments, volume by volume.

@@ -44,8 +44,8 @@ public:
       glStencilFuncSeparate(
         Sides[i], static_cast<GLenum>(side.Function), side.Reference, static_cast<GLuint>(side.Mask));
       glStencilMaskSeparate(Sides[i], static_cast<GLuint>(side.WriteMask));
-      glStencilOpSeparate(Sides[i], static_cast<GLenum>(side.Fail), static_cast<GLenum>(side.DepthFail),
-        static_cast<GLenum>(side.Pass));
+      glStencilOpSeparate(
+        Sides[i], static_cast<GLenum>(side.Fail), static_cast<GLenum>(side.DepthFail), static_cast<GLenum>(side.Pass));
     }
     this->State->SetEnumState(GL_STENCIL_TEST, this->Enabled);
   }

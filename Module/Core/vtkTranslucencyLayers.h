@@ -1,10 +1,12 @@
 /**
- * Fragments of what is drawn by shaders that can't be changed: one of each pixel and sample at a time, in the order of drawing.
+ * Fragments of what is drawn by shaders that can't be changed: one of each pixel and sample at a time, in the order of
+ * drawing.
  *
- * The stencil buffer counts the fragments of each pixel (or sample); only the one whose number is asked for passes its test. Its colour, as the
- * shader gave it, and its depth stay in two textures. This is the stencil routing of Myers and Bavoil, "Stencil routed A-buffer" (SIGGRAPH
- * sketches 2007), without its samples in the place of layers, so that multi-sampled windows keep theirs: everything is drawn once for each layer. It
- * needs nothing of the shader, and ends when the driver has counted all fragments.
+ * The stencil buffer counts the fragments of each pixel (or sample); only the one whose number is asked for passes its
+ * test. Its colour, as the shader gave it, and its depth stay in two textures. This is the stencil routing of Myers and
+ * Bavoil, "Stencil routed A-buffer" (SIGGRAPH sketches 2007), without its samples in the place of layers, so that
+ * multi-sampled windows keep theirs: everything is drawn once for each layer. It needs nothing of the shader, and ends
+ * when the driver has counted all fragments.
  *
  * 24 bytes a pixel and sample.
  */
@@ -31,11 +33,14 @@ public:
   /// False if there is no memory for it.
   bool Reserve(int width, int height, int samples);
 
-  /// Keeps the layer of that number of what a function draws, within the scissor rectangle. False if there is none, and no further one; the layer
-  /// Most has all that are beyond. Whatever the drawing asks of blending and masks is overruled.
-  bool Draw(vtkOpenGLRenderWindow* window, vtkTranslucencyShaderWatch* watch, int layer, const std::function<void()>& draw);
+  /// Keeps the layer of that number of what a function draws, within the scissor rectangle. False if there is none, and
+  /// no further one; the layer Most has all that are beyond. Whatever the drawing asks of blending and masks is
+  /// overruled.
+  bool Draw(
+    vtkOpenGLRenderWindow* window, vtkTranslucencyShaderWatch* watch, int layer, const std::function<void()>& draw);
 
-  /// Textures of the last layer drawn, for texelFetch: colours, with an opacity of 0 where there is no fragment, and depths.
+  /// Textures of the last layer drawn, for texelFetch: colours, with an opacity of 0 where there is no fragment, and
+  /// depths.
   unsigned int GetColors() const { return this->Colors; }
   unsigned int GetDepths() const { return this->Depths; }
 

@@ -17,7 +17,8 @@ vtkStandardNewMacro(vtkTranslucencyMapperHook);
 
 namespace
 {
-// Draws these faces only, of them those that the actor's own culling leaves: set when the actor is about to be drawn, after its property.
+// Draws these faces only, of them those that the actor's own culling leaves: set when the actor is about to be drawn,
+// after its property.
 void CullFaces(vtkOpenGLState* state, vtkTranslucencyStage::Faces drawn, vtkProp* prop)
 {
   if (drawn == vtkTranslucencyStage::Faces::All)

@@ -1,8 +1,10 @@
 /**
- * The mappers' side of a technique: what stands for its pass in the shaders of the props, with all that VTK's hooks need when they are called.
+ * The mappers' side of a technique: what stands for its pass in the shaders of the props, with all that VTK's hooks
+ * need when they are called.
  *
- * vtkTranslucencyFrame gives it a text, and before each drawing what the text is to be drawn with. Mappers refer to it until they draw without it, so it
- * must not keep the pass alive, which may own mappers. Outside of Draw it changes no shader.
+ * vtkTranslucencyFrame gives it a text, and before each drawing what the text is to be drawn with. Mappers refer to it
+ * until they draw without it, so it must not keep the pass alive, which may own mappers. Outside of Draw it changes no
+ * shader.
  */
 #ifndef vtkTranslucencyMapperHook_h
 #define vtkTranslucencyMapperHook_h
@@ -29,7 +31,7 @@ public:
   struct GatherText
   {
     std::string Declarations;
-    std::string Call; ///< where a fragment has been shaded; GATHERED_DEPTH stands for its depth
+    std::string Call;     ///< where a fragment has been shaded; GATHERED_DEPTH stands for its depth
     bool Stores = false;  ///< whether it has effects besides the colours that it draws
     bool Fetches = false; ///< whether it fetches records, and draws them in the place of VTK's colour
     bool Rejects = false; ///< whether it has rejectFragment, to be called before the fragment is shaded
@@ -56,7 +58,8 @@ public:
   void Draw(const vtkRenderState* state, vtkRenderPass* pass);
   void Draw(const vtkRenderState* state, const std::function<void()>& draw);
 
-  /// Puts the text into a fragment shader that has VTK's marks for it. False, and the shader as it was, if it lacks one.
+  /// Puts the text into a fragment shader that has VTK's marks for it. False, and the shader as it was, if it lacks
+  /// one.
   bool Insert(std::string& fragmentShader, const std::string& who) const;
 
   /// Gives such a shader's program what the current drawing has for a prop. False, with an error noted, if that fails.
@@ -81,8 +84,8 @@ public:
     vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader,
     vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(
-    vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
   vtkMTimeType GetShaderStageMTime() override { return this->TextTime; }
 
 protected:
@@ -97,7 +100,7 @@ private:
   GatherText Text;
   vtkTimeStamp TextTime;
   Drawing Current;
-  bool Draws = false; // while Draw lasts
+  bool Draws = false;                      // while Draw lasts
   vtkOpenGLRenderWindow* Window = nullptr; // of the frame
   vtkTranslucencyOpaqueDepth OpaqueDepth;
   vtkTranslucencyVolumes Volumes;

@@ -67,7 +67,8 @@ void vtkTranslucencyOpaqueDepth::Reserve(int width, int height, unsigned int fra
   };
   const GLenum depth = framebuffer ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
   const GLint bits = query(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, depth);
-  if (static_cast<int>(this->Depth->GetWidth()) == width && static_cast<int>(this->Depth->GetHeight()) == height && bits == this->Bits)
+  if (static_cast<int>(this->Depth->GetWidth()) == width && static_cast<int>(this->Depth->GetHeight()) == height &&
+    bits == this->Bits)
   {
     return;
   }

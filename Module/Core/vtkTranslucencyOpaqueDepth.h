@@ -1,6 +1,6 @@
 /**
- * A copy of the depth buffer with the opaque geometry, for shaders that give their fragments a depth of their own: the depth test comes too late for
- * what they store. Made once a frame, when the first shader asks for it.
+ * A copy of the depth buffer with the opaque geometry, for shaders that give their fragments a depth of their own: the
+ * depth test comes too late for what they store. Made once a frame, when the first shader asks for it.
  */
 #ifndef vtkTranslucencyOpaqueDepth_h
 #define vtkTranslucencyOpaqueDepth_h

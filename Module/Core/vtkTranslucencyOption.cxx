@@ -92,7 +92,9 @@ std::string vtkTranslucencyOption::Format(double value) const
 {
   if (this->Type == Kind::Choice)
   {
-    return value >= 0 && value < static_cast<double>(this->Choices.size()) ? this->Choices[static_cast<std::size_t>(value)] : "other";
+    return value >= 0 && value < static_cast<double>(this->Choices.size())
+      ? this->Choices[static_cast<std::size_t>(value)]
+      : "other";
   }
   std::ostringstream out;
   out << value;
@@ -100,8 +102,7 @@ std::string vtkTranslucencyOption::Format(double value) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyOption::Parse(
-  const std::string& text, double& value, std::string& error) const
+bool vtkTranslucencyOption::Parse(const std::string& text, double& value, std::string& error) const
 {
   bool valid = false;
   if (this->Type == Kind::Choice)
@@ -118,7 +119,9 @@ bool vtkTranslucencyOption::Parse(
   if (!valid)
   {
     error = this->Keyword + " is '" + text + "', expected " +
-      (this->Type == Kind::Integer ? "an integer in " : this->Type == Kind::Real ? "a number in " : "") +
+      (this->Type == Kind::Integer   ? "an integer in "
+          : this->Type == Kind::Real ? "a number in "
+                                     : "") +
       this->Range();
   }
   return valid;

@@ -46,11 +46,13 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
   /// Whether the option takes the value; NaN is none.
   bool Takes(double value) const;
 
-  /// Whether the option of that name, among an object's own, takes the value. If not, the object gives an error with the value and what was expected.
-  static bool Check(vtkObject* object, const std::vector<vtkTranslucencyOption>& options, const char* name, double value);
+  /// Whether the option of that name, among an object's own, takes the value. If not, the object gives an error with
+  /// the value and what was expected.
+  static bool Check(
+    vtkObject* object, const std::vector<vtkTranslucencyOption>& options, const char* name, double value);
 
-  /// The setter of a property that is an option: if that takes the value, the property becomes it, and the object is modified if it was another one; else
-  /// an error, and nothing changes. Gives whether the property is another one now.
+  /// The setter of a property that is an option: if that takes the value, the property becomes it, and the object is
+  /// modified if it was another one; else an error, and nothing changes. Gives whether the property is another one now.
   template <typename Object, typename Value>
   static bool SetProperty(
     Object* object, const std::vector<vtkTranslucencyOption>& options, const char* name, Value& property, Value value)

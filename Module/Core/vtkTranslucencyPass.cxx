@@ -122,7 +122,8 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
     owner->PushContext();
   }
   this->ReleaseTechniqueResources(alive);
-  // VTK's passes want their window, also one that is about to go and has lost its weak pointers: not all that they have follows it.
+  // VTK's passes want their window, also one that is about to go and has lost its weak pointers: not all that they have
+  // follows it.
   for (vtkRenderPass* pass : { static_cast<vtkRenderPass*>(this->TranslucentPass), this->VolumetricPass,
          static_cast<vtkRenderPass*>(this->Internal->Peeling), static_cast<vtkRenderPass*>(this->Internal->Steps) })
   {
@@ -217,7 +218,8 @@ std::string vtkTranslucencyPass::GetMissing(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::SetCriticalSection(int section)
 {
-  vtkTranslucencyOption::SetProperty(this, { this->GetCriticalSectionOption() }, "CriticalSection", this->CriticalSection, section);
+  vtkTranslucencyOption::SetProperty(
+    this, { this->GetCriticalSectionOption() }, "CriticalSection", this->CriticalSection, section);
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +227,8 @@ vtkTranslucencyOption vtkTranslucencyPass::GetCriticalSectionOption()
 {
   return { "CriticalSection", "critical_section", vtkTranslucencyOption::Kind::Choice, Automatic, 0, 3,
     { "auto", "interlock", "spinlock", "none" },
-    "what keeps fragments of one pixel apart; auto is none on software rasterizers, which shade them one after the other, interlock "
+    "what keeps fragments of one pixel apart; auto is none on software rasterizers, which shade them one after the "
+    "other, interlock "
     "where the driver has it, else spinlock",
     [this] { return this->GetCriticalSection(); },
     [this](double value) { this->SetCriticalSection(static_cast<int>(value)); } };
@@ -250,13 +253,14 @@ void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double
   {
     if (!(channel >= 0 && channel <= 1))
     {
-      vtkErrorWithObjectMacro(prop,
-        << "the transmission colour is (" << red << ", " << green << ", " << blue << "), expected three numbers from 0 to 1");
+      vtkErrorWithObjectMacro(prop, << "the transmission colour is (" << red << ", " << green << ", " << blue
+                                    << "), expected three numbers from 0 to 1");
       return;
     }
   }
   double before[3];
-  if (vtkTranslucencyTransmission::HasColor(prop) && GetTransmissionColor(prop, before) && before[0] == red && before[1] == green && before[2] == blue)
+  if (vtkTranslucencyTransmission::HasColor(prop) && GetTransmissionColor(prop, before) && before[0] == red &&
+    before[1] == green && before[2] == blue)
   {
     return;
   }
@@ -272,7 +276,8 @@ void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
 {
-  const double* kept = vtkTranslucencyTransmission::HasColor(prop) ? prop->GetPropertyKeys()->Get(TRANSMISSION_COLOR()) : nullptr;
+  const double* kept =
+    vtkTranslucencyTransmission::HasColor(prop) ? prop->GetPropertyKeys()->Get(TRANSMISSION_COLOR()) : nullptr;
   const double unset = vtkTranslucencyTransmission::IsEmissive(prop) ? 1 : 0;
   bool valid = true;
   for (int i = 0; i < 3; ++i)
@@ -285,8 +290,7 @@ bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
 }
 
 //------------------------------------------------------------------------------
-const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(
-  vtkOpenGLRenderWindow* window)
+const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(vtkOpenGLRenderWindow* window)
 {
   vtkTranslucencyResources& kept = this->Internal->Resources;
   if (kept.Window != window || kept.Context != window->GetGenericContext())
@@ -438,8 +442,7 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
   kept.Statistics->SetGatherTime(kept.GatherTime);
   kept.Statistics->SetResolveTime(kept.ResolveTime);
   kept.Statistics->SetDeepestPixel(kept.Resolved.GetDeepestPixel());
-  this->NumberOfRenderedProps =
-    kept.RenderedProps + static_cast<int>(volumes.GetProps().size());
+  this->NumberOfRenderedProps = kept.RenderedProps + static_cast<int>(volumes.GetProps().size());
   if (kept.Resolved.IsUnfinished())
   {
     vtkErrorMacro(<< "a pixel has more fragments than the driver's loops can take; it is drawn incompletely");
@@ -466,8 +469,8 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass,
-  const std::string& reason, bool lacking)
+void vtkTranslucencyPass::RenderFallback(
+  const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking)
 {
   vtkTranslucencyResources& kept = this->Internal->Resources;
   vtkSmartPointer<vtkDepthPeelingPass>& peeling = this->Internal->Peeling;
@@ -476,8 +479,8 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool peel = samples == 0;
-  const std::string instead = reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") + " instead" +
-    (vtkTranslucencyTransmission::CountProps(state).Props > 0 ? ", without transmission colours" : "");
+  const std::string instead = reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") +
+    " instead" + (vtkTranslucencyTransmission::CountProps(state).Props > 0 ? ", without transmission colours" : "");
   if (this->Internal->Fallback != reason && lacking)
   {
     vtkWarningMacro(<< instead);
@@ -500,7 +503,8 @@ void vtkTranslucencyPass::RenderFallback(const vtkRenderState* state, vtkRenderP
     }
     peeling->SetTranslucentPass(this->TranslucentPass);
     drawing = peeling;
-    const std::string warning = this->Internal->Guard.Render(peeling, state, kept.Window, [&] { drawing->Render(state); });
+    const std::string warning =
+      this->Internal->Guard.Render(peeling, state, kept.Window, [&] { drawing->Render(state); });
     if (!warning.empty())
     {
       vtkWarningMacro(<< warning);

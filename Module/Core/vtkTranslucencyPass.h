@@ -3,7 +3,8 @@
  * @brief   draws translucent polygonal geometry right, whatever the order in which it is drawn
  *
  * The base of all techniques. It stands where vtkDepthPeelingPass would stand, as the translucent pass of a
- * vtkRenderStepsPass, or alone as a renderer's pass (then it draws lights, opaque geometry, volumes, overlays and the renderer's effects too):
+ * vtkRenderStepsPass, or alone as a renderer's pass (then it draws lights, opaque geometry, volumes, overlays and the
+ * renderer's effects too):
  *
  * @code
  * vtkNew<vtkAdaptiveTransparencyPass> pass;
@@ -18,21 +19,24 @@
  * 3. Resolve: a full-screen pass turns what was gathered into colour and total transmittance.
  * 4. Composite: blending puts that over the opaque picture. The GL state is then as it was found.
  *
- * A subclass says what happens in RenderStages, in terms of vtkTranslucencyFrame; it has a folder of shaders and a row in
- * vtkTranslucencyFactory, and nothing else has to know it.
+ * A subclass says what happens in RenderStages, in terms of vtkTranslucencyFrame; it has a folder of shaders and a row
+ * in vtkTranslucencyFactory, and nothing else has to know it.
  *
- * Within other passes it draws to the first colour attachment of the framebuffer that it finds, and leaves the others and the opaque depth as they are. So
- * what translucent surfaces cover is, to passes that look at depths, positions or normals (vtkEDLShading, vtkDepthOfFieldPass, vtkSSAOPass), as if they were not
- * there: outlines, focus and occlusion are those of what is opaque, and darken or blur the translucent surfaces before it along with it. (VTK's own translucent
- * pass lets vtkSSAOPass take the position of whichever surface was drawn last.)
+ * Within other passes it draws to the first colour attachment of the framebuffer that it finds, and leaves the others
+ * and the opaque depth as they are. So what translucent surfaces cover is, to passes that look at depths, positions or
+ * normals (vtkEDLShading, vtkDepthOfFieldPass, vtkSSAOPass), as if they were not there: outlines, focus and occlusion
+ * are those of what is opaque, and darken or blur the translucent surfaces before it along with it. (VTK's own
+ * translucent pass lets vtkSSAOPass take the position of whichever surface was drawn last.)
  *
- * Some props draw by shaders that the call of stage 2 can't get into: those of actors of their own, to which they don't hand their property keys on, or a
- * whole shader of the user's. Each of them is drawn by itself, once for each of its layers, and its fragments are given to the technique from there, with one
- * warning that names the prop (vtkTranslucencyUnreached, vtkTranslucencyLayers): all techniques draw them where they are, with up to 255 layers a pixel.
+ * Some props draw by shaders that the call of stage 2 can't get into: those of actors of their own, to which they don't
+ * hand their property keys on, or a whole shader of the user's. Each of them is drawn by itself, once for each of its
+ * layers, and its fragments are given to the technique from there, with one warning that names the prop
+ * (vtkTranslucencyUnreached, vtkTranslucencyLayers): all techniques draw them where they are, with up to 255 layers a
+ * pixel.
  *
- * Where the driver lacks what a technique needs, the frame is drawn by depth peeling (vtkDepthPeelingPass) or, failing that, by plain blending,
- * with one warning that names what is missing; GetStatistics()->GetFallback() tells which. During hardware selection the
- * geometry is drawn plainly.
+ * Where the driver lacks what a technique needs, the frame is drawn by depth peeling (vtkDepthPeelingPass) or, failing
+ * that, by plain blending, with one warning that names what is missing; GetStatistics()->GetFallback() tells which.
+ * During hardware selection the geometry is drawn plainly.
  */
 #ifndef vtkTranslucencyPass_h
 #define vtkTranslucencyPass_h
@@ -71,10 +75,11 @@ public:
 
   ///@{
   /**
-   * The pass that draws volumes among the translucent props, each where it lies: a vtkVolumetricPass, or null (the default) where
-   * something else draws them, as vtkRenderStepsPass does after its translucent pass. Where this pass draws alone it draws
-   * volumes in any case. Volumes that can't be divided at surfaces are drawn over them, after a warning that names them: all but
-   * those of vtkGPUVolumeRayCastMapper (and the mappers that use it) with an ImageSampleDistance of 1.
+   * The pass that draws volumes among the translucent props, each where it lies: a vtkVolumetricPass, or null (the
+   * default) where something else draws them, as vtkRenderStepsPass does after its translucent pass. Where this pass
+   * draws alone it draws volumes in any case. Volumes that can't be divided at surfaces are drawn over them, after a
+   * warning that names them: all but those of vtkGPUVolumeRayCastMapper (and the mappers that use it) with an
+   * ImageSampleDistance of 1.
    */
   void SetVolumetricPass(vtkRenderPass* pass);
   vtkGetObjectMacro(VolumetricPass, vtkRenderPass);
@@ -90,10 +95,11 @@ public:
 
   ///@{
   /**
-   * How fragments of one pixel are kept from changing its record at the same time, where a technique keeps records of bounded size
-   * (Shaders/CriticalSection): Automatic (the default) takes Unprotected on software rasterizers, which shade them one after the other,
-   * Interlock where the driver has an extension for it, and Spinlock elsewhere. Interlock keeps the order of drawing, Spinlock does
-   * not. Unprotected on a GPU loses fragments: for trials. Another value is an error and changes nothing.
+   * How fragments of one pixel are kept from changing its record at the same time, where a technique keeps records of
+   * bounded size (Shaders/CriticalSection): Automatic (the default) takes Unprotected on software rasterizers, which
+   * shade them one after the other, Interlock where the driver has an extension for it, and Spinlock elsewhere.
+   * Interlock keeps the order of drawing, Spinlock does not. Unprotected on a GPU loses fragments: for trials. Another
+   * value is an error and changes nothing.
    */
   void SetCriticalSection(int section);
   vtkGetMacro(CriticalSection, int);
@@ -109,16 +115,16 @@ public:
   ///@}
 
   /**
-   * What the last frame drew and cost. Asking waits for that frame to end; the window's context must be current, as it is
-   * after Render().
+   * What the last frame drew and cost. Asking waits for that frame to end; the window's context must be current, as it
+   * is after Render().
    */
   vtkTranslucencyStatistics* GetStatistics();
 
   ///@{
   /**
-   * The technique's options by keyword, as every user interface sees them: the properties of this class, of its subclass
-   * and of its storage. SetOption returns false, after an error that names the option and the values it takes, if there
-   * is no such option or the value is not one of its.
+   * The technique's options by keyword, as every user interface sees them: the properties of this class, of its
+   * subclass and of its storage. SetOption returns false, after an error that names the option and the values it takes,
+   * if there is no such option or the value is not one of its.
    */
   bool SetOption(const std::string& keyword, const std::string& value);
   std::string GetOption(const std::string& keyword);
@@ -133,25 +139,27 @@ public:
   virtual std::vector<vtkTranslucencyOption> GetOptions();
 
   /**
-   * Empty if the driver behind the window can run this technique, else what it lacks: here, what all techniques need. The window's
-   * context must be current.
+   * Empty if the driver behind the window can run this technique, else what it lacks: here, what all techniques need.
+   * The window's context must be current.
    */
   virtual std::string GetMissing(vtkOpenGLRenderWindow* window);
 
   ///@{
   /**
-   * What a prop's translucent surfaces let through of red, green and blue, each from 0 to 1: a surface of opacity a and transmission colour t
-   * hides a * (1 - t) of what lies behind it. Black, the default, is a surface as VTK has it, such as gauze, which hides what it covers; red is
-   * a red filter, which leaves the red of what lies behind; white hides nothing, and only adds its own colour, times a. (The survey in Real-Time
-   * Rendering, 4th edition, section 5.5, tells the two kinds apart; coverage and transmission as in McGuire and Mara 2017, "Phenomenological
-   * transparency".) The prop must be translucent by its opacity or by vtkActor::ForceTranslucentOn; of an assembly, it is the assembly's. The splats of a
-   * vtkPointGaussianMapper that is Emissive, as it is by default, only add light in VTK, too: they are white while the key is not set.
+   * What a prop's translucent surfaces let through of red, green and blue, each from 0 to 1: a surface of opacity a and
+   * transmission colour t hides a * (1 - t) of what lies behind it. Black, the default, is a surface as VTK has it,
+   * such as gauze, which hides what it covers; red is a red filter, which leaves the red of what lies behind; white
+   * hides nothing, and only adds its own colour, times a. (The survey in Real-Time Rendering, 4th edition, section 5.5,
+   * tells the two kinds apart; coverage and transmission as in McGuire and Mara 2017, "Phenomenological transparency".)
+   * The prop must be translucent by its opacity or by vtkActor::ForceTranslucentOn; of an assembly, it is the
+   * assembly's. The splats of a vtkPointGaussianMapper that is Emissive, as it is by default, only add light in VTK,
+   * too: they are white while the key is not set.
    *
-   * Techniques that keep one transmittance, not three, take the mean and warn (KeepsTransmissionColors). Volumes, and the fallbacks of passes that
-   * can't draw, have no transmission colours.
+   * Techniques that keep one transmittance, not three, take the mean and warn (KeepsTransmissionColors). Volumes, and
+   * the fallbacks of passes that can't draw, have no transmission colours.
    *
-   * They live in the prop's property keys, TRANSMISSION_COLOR. A number outside 0 to 1 or NaN is an error and changes nothing.
-   * GetTransmissionColor gives false if the key, set in another way, is not three such numbers.
+   * They live in the prop's property keys, TRANSMISSION_COLOR. A number outside 0 to 1 or NaN is an error and changes
+   * nothing. GetTransmissionColor gives false if the key, set in another way, is not three such numbers.
    */
   static vtkInformationDoubleVectorKey* TRANSMISSION_COLOR();
   static void SetTransmissionColor(vtkProp* prop, double red, double green, double blue);
@@ -168,18 +176,20 @@ protected:
   ~vtkTranslucencyPass() override;
 
   /**
-   * The technique: gathers and resolves the frame's current tile. False if a stage failed, which the frame has reported.
+   * The technique: gathers and resolves the frame's current tile. False if a stage failed, which the frame has
+   * reported.
    */
   virtual bool RenderStages(vtkTranslucencyFrame& frame) = 0;
 
   /**
-   * Draws the translucent props, and volumes by a pass that may be null: a frame of the technique, or its fallback. For a pass that has
-   * others draw in its place.
+   * Draws the translucent props, and volumes by a pass that may be null: a frame of the technique, or its fallback. For
+   * a pass that has others draw in its place.
    */
   virtual void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass);
 
   /**
-   * Whether volumes can be divided at the technique's fragments; if not they are drawn over the surfaces, after a warning.
+   * Whether volumes can be divided at the technique's fragments; if not they are drawn over the surfaces, after a
+   * warning.
    */
   virtual bool DividesVolumes() const { return false; }
 
@@ -195,8 +205,8 @@ protected:
   const vtkTranslucencyCapabilities& GetCapabilities(vtkOpenGLRenderWindow* window);
 
   /**
-   * Bytes of graphics memory that the subclass holds, and the release of it. Where the context is gone, only handles are
-   * left to forget. A subclass that holds any calls ReleaseGraphicsResources(nullptr) in its destructor.
+   * Bytes of graphics memory that the subclass holds, and the release of it. Where the context is gone, only handles
+   * are left to forget. A subclass that holds any calls ReleaseGraphicsResources(nullptr) in its destructor.
    */
   virtual vtkTypeInt64 GetTechniqueBytes() { return 0; }
   virtual void ReleaseTechniqueResources(bool vtkNotUsed(contextAlive)) {}
@@ -217,7 +227,8 @@ private:
   // Whether props were met that the text doesn't reach; those are known from then on.
   bool FindUnreached(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
   // Says why, once: a warning if the driver lacks something, an error if something went wrong.
-  void RenderFallback(const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);
+  void RenderFallback(
+    const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -17,7 +17,8 @@
 
 namespace
 {
-// What a pass of VTK's has drawn: the first channels of all buffers that are drawn to, within the viewport, and the depths.
+// What a pass of VTK's has drawn: the first channels of all buffers that are drawn to, within the viewport, and the
+// depths.
 std::vector<float> ReadDrawn(vtkOpenGLState* state)
 {
   GLint drawn = 0;
@@ -41,7 +42,8 @@ std::vector<float> ReadDrawn(vtkOpenGLState* state)
     {
       all.resize(all.size() + channels * pixels);
       glReadBuffer(static_cast<GLenum>(buffer));
-      glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_FLOAT, all.data() + all.size() - channels * pixels);
+      glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_FLOAT,
+        all.data() + all.size() - channels * pixels);
     }
   }
   GLint depth = GL_NONE;
@@ -50,7 +52,8 @@ std::vector<float> ReadDrawn(vtkOpenGLState* state)
   if (depth != GL_NONE)
   {
     all.resize(all.size() + pixels);
-    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_DEPTH_COMPONENT, GL_FLOAT, all.data() + all.size() - pixels);
+    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_DEPTH_COMPONENT, GL_FLOAT,
+      all.data() + all.size() - pixels);
   }
   glReadBuffer(static_cast<GLenum>(readBuffer));
   state->PopReadFramebufferBinding();
@@ -130,7 +133,8 @@ vtkStandardNewMacro(vtkTranslucencyGuardedPass);
 
 //------------------------------------------------------------------------------
 vtkTranslucencyPeelingGuard::vtkTranslucencyPeelingGuard()
-  : Unreached({ "opaqueDepth", "lastDepthPeel", "translucentZTexture" }) // what VTK's two passes declare, the first one for each stage
+  : Unreached({ "opaqueDepth", "lastDepthPeel",
+      "translucentZTexture" }) // what VTK's two passes declare, the first one for each stage
 {
 }
 
@@ -167,5 +171,7 @@ std::string vtkTranslucencyPeelingGuard::Render(vtkDepthPeelingPass* peeling, co
     vtkTranslucencySetProps(others, unreached, state);
     delegate->Render(&others);
   }
-  return guarded->Found.empty() ? "" : guarded->Found + " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending";
+  return guarded->Found.empty()
+    ? ""
+    : guarded->Found + " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending";
 }

@@ -1,9 +1,10 @@
 /**
- * A record of bounded size for each pixel, or for each sample of it, that a technique's shaders change fragment by fragment.
+ * A record of bounded size for each pixel, or for each sample of it, that a technique's shaders change fragment by
+ * fragment.
  *
- * In buffers, under a critical section (Shaders/Common/Pixels.glsl): 4 * (words + 1) bytes a sample, and 4 a pixel where the critical section is
- * a spin lock. Or in colours that fragments fetch and draw again (Shaders/Common/PixelTargets.glsl): 16 bytes for each four words, and 4, 8 or
- * 16 for what is left of them.
+ * In buffers, under a critical section (Shaders/Common/Pixels.glsl): 4 * (words + 1) bytes a sample, and 4 a pixel
+ * where the critical section is a spin lock. Or in colours that fragments fetch and draw again
+ * (Shaders/Common/PixelTargets.glsl): 16 bytes for each four words, and 4, 8 or 16 for what is left of them.
  */
 #ifndef vtkTranslucencyPixels_h
 #define vtkTranslucencyPixels_h
@@ -31,8 +32,8 @@ public:
   /// Makes room in buffers, with all counts 0, and binds it. False if there is no memory for it.
   bool Begin(const Size& size);
 
-  /// A record in colours: its words, of which the first ones are EMPTY_NUMBER before stage 0. Later stages go on with what that has left. No words: it lies in
-  /// buffers in any case.
+  /// A record in colours: its words, of which the first ones are EMPTY_NUMBER before stage 0. Later stages go on with
+  /// what that has left. No words: it lies in buffers in any case.
   struct Fetched
   {
     int Words;

@@ -26,8 +26,8 @@ vtkShaderProgram* vtkTranslucencyPrograms::Ready(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTranslucencyPrograms::GetKey(const std::string& name, const vtkTranslucencyShader::Defines& defines,
-  const vtkTranslucencyShader::Defines& offered)
+std::string vtkTranslucencyPrograms::GetKey(
+  const std::string& name, const vtkTranslucencyShader::Defines& defines, const vtkTranslucencyShader::Defines& offered)
 {
   std::string key = name;
   for (const auto* list : { &defines, &offered })

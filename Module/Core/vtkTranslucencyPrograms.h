@@ -1,5 +1,6 @@
 /**
- * The programs of a pass that are none of a mapper's, kept from frame to frame, and drawing with them: vertices that no buffer holds.
+ * The programs of a pass that are none of a mapper's, kept from frame to frame, and drawing with them: vertices that no
+ * buffer holds.
  */
 #ifndef vtkTranslucencyPrograms_h
 #define vtkTranslucencyPrograms_h
@@ -27,7 +28,8 @@ public:
     std::string Fragment;
   };
 
-  /// Makes the program of a key ready. The first time it is made from what a function assembles; null if that is false or does not link.
+  /// Makes the program of a key ready. The first time it is made from what a function assembles; null if that is false
+  /// or does not link.
   vtkShaderProgram* Ready(
     vtkOpenGLRenderWindow* window, const std::string& key, const std::function<bool(Source& source)>& assemble);
 

@@ -17,15 +17,16 @@ vtkTranslucencyRecords::vtkTranslucencyRecords(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTranslucencyRecords::Reserve(
-  vtkTranslucencyPixels& pixels, int words, double memoryLimit, const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch)
+std::string vtkTranslucencyRecords::Reserve(vtkTranslucencyPixels& pixels, int words, double memoryLimit,
+  const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch)
 {
   using Size = vtkTranslucencyPixels::Size;
   this->Tiles.UseWholeViewport();
   vtkTranslucencyFrameShaders::Context& context = this->Shaders.GetContext();
   const auto limit = static_cast<vtkTypeInt64>(this->Capabilities.GetLimitBytes(memoryLimit));
   this->EmptyWords = fetched.Empty;
-  this->Fetched = mayFetch && fetched.Words > 0 && this->Fetch(pixels, fetched.Words, limit) ? &pixels.GetTargets() : nullptr;
+  this->Fetched =
+    mayFetch && fetched.Words > 0 && this->Fetch(pixels, fetched.Words, limit) ? &pixels.GetTargets() : nullptr;
   this->Stored = !this->Fetched;
   context.RecordTargets = this->Fetched ? this->Fetched->GetCount() : 0;
   if (this->Fetched)

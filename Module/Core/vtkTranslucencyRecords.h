@@ -19,9 +19,10 @@ public:
   vtkTranslucencyRecords(
     const vtkTranslucencyCapabilities& capabilities, vtkTranslucencyTiles& tiles, vtkTranslucencyFrameShaders& shaders);
 
-  /// What vtkTranslucencyFrame::UsePixels does, in colours only if they may be. Gives what is wrong, empty if nothing is.
-  std::string Reserve(
-    vtkTranslucencyPixels& pixels, int words, double memoryLimit, const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch);
+  /// What vtkTranslucencyFrame::UsePixels does, in colours only if they may be. Gives what is wrong, empty if nothing
+  /// is.
+  std::string Reserve(vtkTranslucencyPixels& pixels, int words, double memoryLimit,
+    const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch);
 
   bool AreFetched() const { return this->Fetched != nullptr; }
 

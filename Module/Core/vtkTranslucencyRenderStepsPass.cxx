@@ -57,7 +57,8 @@ bool HasWireframes(const vtkRenderState* state)
 }
 
 //------------------------------------------------------------------------------
-// The step that smooths edges in what has been drawn. (vtkOpenGLFXAAPass is a pass around others instead, which knows no options.)
+// The step that smooths edges in what has been drawn. (vtkOpenGLFXAAPass is a pass around others instead, which knows
+// no options.)
 class vtkTranslucencyFXAAStep : public vtkRenderPass
 {
 public:

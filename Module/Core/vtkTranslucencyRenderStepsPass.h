@@ -2,14 +2,15 @@
  * @class   vtkTranslucencyRenderStepsPass
  * @brief   vtkRenderStepsPass with what a renderer does without a pass and that one leaves out
  *
- * - Stereo: vtkRenderer lets its camera set itself up before it draws, which tells the camera whether the window is in stereo. VTK's
- *   camera pass does not: under it both eyes see the picture from the middle between them.
- * - Selection: vtkHardwareSelector draws the props itself, to give each its number. Under VTK's passes it is not asked to, and selects
- *   nothing.
- * - Effects: UseHiddenLineRemoval, UseSSAO, UseShadows and UseFXAA of the renderer, where it draws by these steps alone, are carried out by the passes that
- *   vtkOpenGLRenderer takes for them, in its order. As they are looked at in every frame, they may be set at any time. As without a pass, lines are
- *   hidden instead of darkened where both are asked for, and shadows leave out both. With shadows vtkOpenGLRenderer does not draw what is
- *   translucent: here it is drawn, and shadows fall on it.
+ * - Stereo: vtkRenderer lets its camera set itself up before it draws, which tells the camera whether the window is in
+ * stereo. VTK's camera pass does not: under it both eyes see the picture from the middle between them.
+ * - Selection: vtkHardwareSelector draws the props itself, to give each its number. Under VTK's passes it is not asked
+ * to, and selects nothing.
+ * - Effects: UseHiddenLineRemoval, UseSSAO, UseShadows and UseFXAA of the renderer, where it draws by these steps
+ * alone, are carried out by the passes that vtkOpenGLRenderer takes for them, in its order. As they are looked at in
+ * every frame, they may be set at any time. As without a pass, lines are hidden instead of darkened where both are
+ * asked for, and shadows leave out both. With shadows vtkOpenGLRenderer does not draw what is translucent: here it is
+ * drawn, and shadows fall on it.
  *
  * Within other passes the effects of the renderer don't hold, as with VTK's own steps.
  */

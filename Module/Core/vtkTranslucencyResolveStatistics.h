@@ -1,6 +1,6 @@
 /**
- * What resolves count and leave to later ones (Shaders/Common/Statistics.glsl): a block of four words of the whole frame, and one for each square of pixels
- * of the tile.
+ * What resolves count and leave to later ones (Shaders/Common/Statistics.glsl): a block of four words of the whole
+ * frame, and one for each square of pixels of the tile.
  */
 #ifndef vtkTranslucencyResolveStatistics_h
 #define vtkTranslucencyResolveStatistics_h
@@ -30,8 +30,8 @@ public:
   /// A shader has counted: what was read before holds no longer.
   void Change() { this->Read.reset(); }
 
-  /// Whether pixels of the tile were left to a level; the most fragments that a pixel of the frame has; whether a pixel was not finished. Each waits for
-  /// the shaders so far.
+  /// Whether pixels of the tile were left to a level; the most fragments that a pixel of the frame has; whether a pixel
+  /// was not finished. Each waits for the shaders so far.
   bool IsLeftTo(int level) { return (this->GetWords().LeftLevels >> level) & 1u; }
   vtkTypeInt64 GetDeepestPixel() { return this->GetWords().DeepestPixel; }
   bool IsUnfinished() { return this->GetWords().Unfinished != 0; }

@@ -1,5 +1,6 @@
 /**
- * Runs resolve shaders over squares of pixels of the current tile, which see the whole pixel or one sample of it (Shaders/Common/Resolve.glsl).
+ * Runs resolve shaders over squares of pixels of the current tile, which see the whole pixel or one sample of it
+ * (Shaders/Common/Resolve.glsl).
  */
 #ifndef vtkTranslucencyResolver_h
 #define vtkTranslucencyResolver_h
@@ -20,8 +21,8 @@ public:
   /// Makes room for the colours of the tile's samples. False if there is no memory for it.
   bool ReserveSampleColors(int samples, int channels);
 
-  /// Draws the squares by a program that is ready, over what is there. The storage is null where fragments are not stored. Gives what is wrong, empty if
-  /// nothing is.
+  /// Draws the squares by a program that is ready, over what is there. The storage is null where fragments are not
+  /// stored. Gives what is wrong, empty if nothing is.
   std::string Draw(vtkShaderProgram* program, const vtkTranslucencyFrame::Squares& squares,
     const vtkTranslucencyFrame::Uniforms& uniforms, vtkFragmentStorage* storage, vtkTranslucencyFrame::Blending over);
 

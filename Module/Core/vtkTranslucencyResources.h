@@ -37,8 +37,8 @@ struct vtkTranslucencyResources
   vtkTranslucencyTiles Tiles;
   vtkTranslucencyPrograms Programs;
   vtkTranslucencyResolveStatistics Resolved;
-  vtkTranslucencyBuffer FrameBlock;     // Shaders/Common/Frame.glsl
-  vtkTranslucencyBuffer SampleColors;   // Shaders/Common/SampleColors.glsl
+  vtkTranslucencyBuffer FrameBlock;   // Shaders/Common/Frame.glsl
+  vtkTranslucencyBuffer SampleColors; // Shaders/Common/SampleColors.glsl
 
   vtkNew<vtkTranslucencyStatistics> Statistics;
   double GatherTime = -1; // milliseconds, all tiles; negative if not measured

@@ -1,6 +1,6 @@
 /**
- * What a technique asks of the translucent props that a frame draws: those that say so, and those that were seen to draw what is translucent
- * (vtkTranslucencyUnreached).
+ * What a technique asks of the translucent props that a frame draws: those that say so, and those that were seen to
+ * draw what is translucent (vtkTranslucencyUnreached).
  */
 #ifndef vtkTranslucencyScene_h
 #define vtkTranslucencyScene_h
@@ -24,8 +24,8 @@ public:
   /// In the order of drawing.
   std::vector<vtkProp*> GetProps() const;
 
-  /// Between which depths their boxes lie, 0 at the near plane, 1 at the far plane, linear in the distance (Shaders/Common/LinearDepth.glsl).
-  /// All of it where a prop does not know its box.
+  /// Between which depths their boxes lie, 0 at the near plane, 1 at the far plane, linear in the distance
+  /// (Shaders/Common/LinearDepth.glsl). All of it where a prop does not know its box.
   std::array<double, 2> GetDepthRange() const;
 
 private:

@@ -8,7 +8,8 @@
 #include "vtkOpenGLState.h"
 
 //------------------------------------------------------------------------------
-vtkTranslucencyScopedTargets::vtkTranslucencyScopedTargets(vtkOpenGLRenderWindow* window, const vtkTranslucencyStage& stage)
+vtkTranslucencyScopedTargets::vtkTranslucencyScopedTargets(
+  vtkOpenGLRenderWindow* window, const vtkTranslucencyStage& stage)
   : Drawn(stage)
 {
   if (!stage.Targets)

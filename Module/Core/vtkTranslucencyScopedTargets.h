@@ -1,5 +1,6 @@
 /**
- * Makes a stage's targets what is drawn to, and clears them. When it goes, the framebuffer that was bound before is again.
+ * Makes a stage's targets what is drawn to, and clears them. When it goes, the framebuffer that was bound before is
+ * again.
  */
 #ifndef vtkTranslucencyScopedTargets_h
 #define vtkTranslucencyScopedTargets_h

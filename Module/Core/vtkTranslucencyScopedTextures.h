@@ -16,7 +16,8 @@ class vtkTranslucencyBuffer;
 class vtkTranslucencyScopedTextures
 {
 public:
-  explicit vtkTranslucencyScopedTextures(vtkOpenGLRenderWindow* window, const std::vector<vtkTranslucencyStage::Input>& inputs = {});
+  explicit vtkTranslucencyScopedTextures(
+    vtkOpenGLRenderWindow* window, const std::vector<vtkTranslucencyStage::Input>& inputs = {});
   ~vtkTranslucencyScopedTextures();
   vtkTranslucencyScopedTextures(const vtkTranslucencyScopedTextures&) = delete;
   vtkTranslucencyScopedTextures& operator=(const vtkTranslucencyScopedTextures&) = delete;

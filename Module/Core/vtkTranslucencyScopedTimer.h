@@ -1,6 +1,6 @@
 /**
- * Adds the time of its scope to a sum, if asked to. Waits for the GPU at both ends: timer queries are not kept in order with the drawing by every
- * driver.
+ * Adds the time of its scope to a sum, if asked to. Waits for the GPU at both ends: timer queries are not kept in order
+ * with the drawing by every driver.
  */
 #ifndef vtkTranslucencyScopedTimer_h
 #define vtkTranslucencyScopedTimer_h

@@ -26,7 +26,8 @@ bool IsOfWord(char character)
 bool Mentions(const std::string& text, const std::string& word)
 {
   std::size_t at = text.find(word);
-  while (at != std::string::npos && ((at > 0 && IsOfWord(text[at - 1])) || IsOfWord(text[at + word.size()]))) // behind the last is 0
+  while (at != std::string::npos &&
+    ((at > 0 && IsOfWord(text[at - 1])) || IsOfWord(text[at + word.size()]))) // behind the last is 0
   {
     at = text.find(word, at + 1);
   }
@@ -45,22 +46,21 @@ const char* vtkTranslucencyShader::GetExtensions()
          "#extension GL_ARB_shading_language_420pack : require\n"
          "#extension GL_ARB_shading_language_packing : require\n"
          "#extension GL_ARB_shader_bit_encoding : require\n"
-         "#extension GL_ARB_gpu_shader5 : require\n" // gl_SampleMaskIn
-         "#extension GL_ARB_sample_shading : require\n" // gl_SampleID
-         OPTIONAL_EXTENSION("GL_ARB_explicit_attrib_location") // of several outputs
-         OPTIONAL_EXTENSION("GL_ARB_blend_func_extended")      // of two source colours
-         OPTIONAL_EXTENSION("GL_ARB_gpu_shader_int64") // stores of two words
-         OPTIONAL_EXTENSION("GL_ARB_post_depth_coverage")
-         OPTIONAL_EXTENSION("GL_EXT_shader_framebuffer_fetch") // records of pixels in colours
-         OPTIONAL_EXTENSION("GL_ARB_ES3_1_compatibility") // gl_HelperInvocation
-         OPTIONAL_EXTENSION("GL_ARB_fragment_shader_interlock")
-         OPTIONAL_EXTENSION("GL_NV_fragment_shader_interlock")
-         OPTIONAL_EXTENSION("GL_INTEL_fragment_shader_ordering");
+         "#extension GL_ARB_gpu_shader5 : require\n"      // gl_SampleMaskIn
+         "#extension GL_ARB_sample_shading : require\n"   // gl_SampleID
+    OPTIONAL_EXTENSION("GL_ARB_explicit_attrib_location") // of several outputs
+    OPTIONAL_EXTENSION("GL_ARB_blend_func_extended")      // of two source colours
+    OPTIONAL_EXTENSION("GL_ARB_gpu_shader_int64")         // stores of two words
+    OPTIONAL_EXTENSION("GL_ARB_post_depth_coverage")
+      OPTIONAL_EXTENSION("GL_EXT_shader_framebuffer_fetch") // records of pixels in colours
+    OPTIONAL_EXTENSION("GL_ARB_ES3_1_compatibility")        // gl_HelperInvocation
+    OPTIONAL_EXTENSION("GL_ARB_fragment_shader_interlock") OPTIONAL_EXTENSION("GL_NV_fragment_shader_interlock")
+      OPTIONAL_EXTENSION("GL_INTEL_fragment_shader_ordering");
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyShader::Assemble(const std::string& file, const Defines& required,
-  const Defines& offered, const Selection& selection)
+bool vtkTranslucencyShader::Assemble(
+  const std::string& file, const Defines& required, const Defines& offered, const Selection& selection)
 {
   this->Text.clear();
   this->Error.clear();
@@ -68,8 +68,7 @@ bool vtkTranslucencyShader::Assemble(const std::string& file, const Defines& req
   this->Selected = selection;
   this->Depth = 0;
   std::string head;
-  if (!this->Append(file, "", 0) || !this->Define(required, true, head) ||
-    !this->Define(offered, false, head))
+  if (!this->Append(file, "", 0) || !this->Define(required, true, head) || !this->Define(offered, false, head))
   {
     return false;
   }
@@ -85,8 +84,8 @@ bool vtkTranslucencyShader::Define(const Defines& defines, bool required, std::s
     const bool mentioned = Mentions(this->Text, define.first);
     if (!mentioned && required)
     {
-      this->Error = "shader " + this->Files.front() + ": the define " + define.first +
-        " is mentioned by none of its files";
+      this->Error =
+        "shader " + this->Files.front() + ": the define " + define.first + " is mentioned by none of its files";
       return false;
     }
     if (mentioned)
@@ -120,7 +119,8 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
   }
   const int number = FirstSource + static_cast<int>(at - this->Files.begin());
 
-  const auto mark = [&](int next) {
+  const auto mark = [&](int next)
+  {
     // Before GLSL 3.30, `#line n` makes the following line n + 1 (GLSL 1.50, section 3.4).
     this->Text += "#line " + std::to_string(next - 1) + " " + std::to_string(number) + "\n";
   };
@@ -161,8 +161,7 @@ bool vtkTranslucencyShader::Validate(const std::string& main, vtkShader::Type ty
   const bool compiled = this->Error.empty() && shader->Compile();
   if (!compiled && this->Error.empty())
   {
-    this->Error = "shader " + this->Files.front() + " does not compile:\n" +
-      this->NameSources(shader->GetError());
+    this->Error = "shader " + this->Files.front() + " does not compile:\n" + this->NameSources(shader->GetError());
   }
   shader->Cleanup();
   return compiled;
@@ -176,8 +175,7 @@ std::string vtkTranslucencyShader::NameSources(const std::string& log) const
   for (std::size_t i = 0; i < this->Files.size(); ++i)
   {
     const std::string number = std::to_string(FirstSource + static_cast<int>(i));
-    named = std::regex_replace(
-      named, std::regex("\\b" + number + "(:|\\()(\\d+)\\)?"), this->Files[i] + ":$2");
+    named = std::regex_replace(named, std::regex("\\b" + number + "(:|\\()(\\d+)\\)?"), this->Files[i] + ":$2");
   }
   return named;
 }
@@ -212,8 +210,8 @@ void vtkTranslucencyShader::SetUniforms(vtkShaderProgram* program, const Uniform
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyShader::Substitute(std::string& text, const std::string& anchor,
-  const std::string& replacement, const std::string& who, std::string& error)
+bool vtkTranslucencyShader::Substitute(std::string& text, const std::string& anchor, const std::string& replacement,
+  const std::string& who, std::string& error)
 {
   if (vtkShaderProgram::Substitute(text, anchor, replacement))
   {

@@ -1,8 +1,9 @@
 /**
  * Puts shader text together from the .glsl files of Module/Shaders, which the library carries inside.
  *
- * `#include "Folder/File.glsl"` takes in a file of the table; files guard themselves against a second time, as C++ headers do. Every file starts by refusing to compile without the
- * defines it needs; a define that no file mentions is refused here, so that neither side can be misspelt in silence.
+ * `#include "Folder/File.glsl"` takes in a file of the table; files guard themselves against a second time, as C++
+ * headers do. Every file starts by refusing to compile without the defines it needs; a define that no file mentions is
+ * refused here, so that neither side can be misspelt in silence.
  * `#line` directives keep file and line, so that a compiler's message can be told in those terms.
  */
 #ifndef vtkTranslucencyShader_h
@@ -27,10 +28,10 @@ public:
   using Selection = std::map<std::string, std::string>; // of a folder, the file that Selected stands for
 
   /// Assembles a file and all that it includes, behind the defines. `Storage/Selected` in an include stands for
-  /// "Storage/" + selection["Storage"]. False, with the reason in GetError(), if a file is not in the table or one of the required defines
-  /// is mentioned by none of the files; of the offered ones, those that are mentioned are taken.
-  bool Assemble(const std::string& file, const Defines& required, const Defines& offered = {},
-    const Selection& selection = {});
+  /// "Storage/" + selection["Storage"]. False, with the reason in GetError(), if a file is not in the table or one of
+  /// the required defines is mentioned by none of the files; of the offered ones, those that are mentioned are taken.
+  bool Assemble(
+    const std::string& file, const Defines& required, const Defines& offered = {}, const Selection& selection = {});
 
   /// The text, to stand behind #version and #extension lines.
   const std::string& GetText() const { return this->Text; }
@@ -39,8 +40,8 @@ public:
   /// The extensions that every shader of this module asks for, as #extension lines.
   static const char* GetExtensions();
 
-  /// Compiles the text, with main behind it; false, with messages that name file and line in GetError(), if that fails. A
-  /// context must be current.
+  /// Compiles the text, with main behind it; false, with messages that name file and line in GetError(), if that fails.
+  /// A context must be current.
   bool Validate(const std::string& main, vtkShader::Type type = vtkShader::Fragment);
 
   /// Gives a program those of the uniforms that it uses.
@@ -50,8 +51,8 @@ public:
   static bool Substitute(std::string& text, const std::string& anchor, const std::string& replacement,
     const std::string& who, std::string& error);
 
-  /// Makes the colours that a mapper's shader writes, gl_FragData, plain variables: gatheredColors, where a technique has all outputs to
-  /// itself (Shaders/Common/PixelTargets.glsl).
+  /// Makes the colours that a mapper's shader writes, gl_FragData, plain variables: gatheredColors, where a technique
+  /// has all outputs to itself (Shaders/Common/PixelTargets.glsl).
   static std::string FreeOutputs(const std::string& text);
 
 private:
@@ -62,7 +63,7 @@ private:
   std::string Text;
   std::string Error;
   Selection Selected;
-  int Depth = 0; // of includes
+  int Depth = 0;                  // of includes
   std::vector<std::string> Files; // index + FirstSource = the #line directive's source number
 };
 

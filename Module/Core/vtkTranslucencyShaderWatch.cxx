@@ -84,7 +84,8 @@ vtkShaderProgram* vtkTranslucencyShaderWatch::ReadyShaderProgram(
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkTranslucencyShaderWatch::ReadyShaderProgram(vtkShaderProgram* program, vtkTransformFeedback* capture)
+vtkShaderProgram* vtkTranslucencyShaderWatch::ReadyShaderProgram(
+  vtkShaderProgram* program, vtkTransformFeedback* capture)
 {
   return this->Ready(capture, program);
 }

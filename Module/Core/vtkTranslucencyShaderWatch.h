@@ -1,10 +1,11 @@
 /**
  * A window's shader cache that tells which programs are made ready, before anything is drawn by them.
  *
- * A render pass reaches the shaders of a prop by the prop's property keys. Many props draw by actors of their own and don't hand their keys
- * on to them (vtkAnnotatedCubeActor, vtkAxesActor, most representations of widgets), and shaders of the user's own need not have a place for a
- * pass's text. VTK tells neither. But whatever VTK draws by, it asks the window's shader cache for: while a Scope lasts, this object
- * stands there, hands all on to the window's own cache, and reports each program that comes back.
+ * A render pass reaches the shaders of a prop by the prop's property keys. Many props draw by actors of their own and
+ * don't hand their keys on to them (vtkAnnotatedCubeActor, vtkAxesActor, most representations of widgets), and shaders
+ * of the user's own need not have a place for a pass's text. VTK tells neither. But whatever VTK draws by, it asks the
+ * window's shader cache for: while a Scope lasts, this object stands there, hands all on to the window's own cache, and
+ * reports each program that comes back.
  */
 #ifndef vtkTranslucencyShaderWatch_h
 #define vtkTranslucencyShaderWatch_h
@@ -24,7 +25,8 @@ public:
 
   using Report = std::function<void(vtkShaderProgram*)>;
 
-  /// While it lasts, programs are reported when they have been bound, but not those that capture vertices instead of drawing.
+  /// While it lasts, programs are reported when they have been bound, but not those that capture vertices instead of
+  /// drawing.
   class Scope
   {
   public:

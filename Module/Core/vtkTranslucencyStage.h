@@ -1,5 +1,6 @@
 /**
- * One drawing of a technique, as it asks vtkTranslucencyFrame for it: what it puts into the shaders, what it draws to and how that is blended.
+ * One drawing of a technique, as it asks vtkTranslucencyFrame for it: what it puts into the shaders, what it draws to
+ * and how that is blended.
  */
 #ifndef vtkTranslucencyStage_h
 #define vtkTranslucencyStage_h
@@ -15,15 +16,16 @@
 class vtkProp;
 class vtkTranslucencyTargets;
 
-/// What a technique without lists puts into the mappers' shaders. One text serves all stages of a frame, told apart by its uniform
-/// gatherStage: mappers build their shaders anew when the text changes.
+/// What a technique without lists puts into the mappers' shaders. One text serves all stages of a frame, told apart by
+/// its uniform gatherStage: mappers build their shaders anew when the text changes.
 struct vtkTranslucencyGathering
 {
   std::string File; ///< gives gatherFragment(color, depth), with Outputs a third parameter: out vec4 outputs[Outputs]
   vtkTranslucencyShader::Defines Values;
   int Outputs = 0;       ///< colours that are drawn to targets
   bool Critical = false; ///< whether it changes records of pixels under a critical section
-  bool Rejects = false;  ///< whether File gives rejectFragment(depth), too, which discards fragments before they are shaded
+  bool Rejects =
+    false; ///< whether File gives rejectFragment(depth), too, which discards fragments before they are shaded
 };
 
 /// One drawing of the translucent props, or of the screen.
@@ -36,8 +38,8 @@ struct vtkTranslucencyStage
     AddAndAttenuate, ///< colour is added, alpha multiplied with 1 - alpha
     Attenuate,       ///< all channels are multiplied with 1 - themselves
     Over,            ///< before what is there: front's colours, multiplied by their opacity, and opacity
-    Filter,          ///< colour before what is there, which is multiplied by a second source colour (Shaders/Common/Output.glsl)
-    Under,           ///< behind it: alpha is what is still seen, from 1 on
+    Filter, ///< colour before what is there, which is multiplied by a second source colour (Shaders/Common/Output.glsl)
+    Under,  ///< behind it: alpha is what is still seen, from 1 on
     Minimum,
     Maximum
   };
@@ -73,16 +75,19 @@ struct vtkTranslucencyStage
   };
 
   int Number = 0;
-  std::vector<Part> Parts;                   ///< drawn in this order; empty: all props, in theirs
-  vtkTranslucencyTargets* Targets = nullptr; ///< drawn to, and cleared before (but see Cleared); null: colours go over the opaque picture
-  bool StoresOnly = false;                   ///< fragments draw no colours, though the gather has outputs for other stages
+  std::vector<Part> Parts; ///< drawn in this order; empty: all props, in theirs
+  vtkTranslucencyTargets* Targets =
+    nullptr;               ///< drawn to, and cleared before (but see Cleared); null: colours go over the opaque picture
+  bool StoresOnly = false; ///< fragments draw no colours, though the gather has outputs for other stages
   Blending Blend = Blending::Add;
   bool HidesBehind = false; ///< fragments write depth, to a depth buffer of the targets that starts as the opaque one
   std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
   std::vector<Input> Inputs;
   vtkTranslucencyShader::Uniforms Values;
-  std::map<int, Buffer> Differing; ///< buffers for which Blend and Clear don't hold: needs Capabilities.MissingForBuffers to be empty
-  int Cleared = VTK_INT_MAX; ///< how many of Targets are cleared, the first ones; the others keep what is in them, of earlier stages or frames
+  std::map<int, Buffer>
+    Differing; ///< buffers for which Blend and Clear don't hold: needs Capabilities.MissingForBuffers to be empty
+  int Cleared = VTK_INT_MAX; ///< how many of Targets are cleared, the first ones; the others keep what is in them, of
+                             ///< earlier stages or frames
 };
 
 #endif

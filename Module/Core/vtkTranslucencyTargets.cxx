@@ -117,7 +117,8 @@ bool vtkTranslucencyTargets::Reserve(int width, int height, int samples, const s
     }
     else
     {
-      glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0); // before it gets memory, or drivers may take that of smaller levels, too
+      glTexParameteri(
+        target, GL_TEXTURE_MAX_LEVEL, 0); // before it gets memory, or drivers may take that of smaller levels, too
       glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
       glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
       glTexImage2D(
@@ -159,14 +160,13 @@ std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window, bool cop
   GLint found = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &found);
   const GLint type = DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
-  const auto depth = static_cast<GLuint>(
-    type == GL_NONE ? 0 : DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  const auto depth =
+    static_cast<GLuint>(type == GL_NONE ? 0 : DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
   if (depth == 0)
   {
     return "the framebuffer has no depth buffer that can be shared, expected a framebuffer object with one";
   }
-  const GLint level =
-    type == GL_TEXTURE ? DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) : 0;
+  const GLint level = type == GL_TEXTURE ? DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) : 0;
 
   this->Window = window;
   window->GetState()->PushFramebufferBindings();
@@ -257,7 +257,8 @@ std::vector<float> vtkTranslucencyTargets::Read(
     glGenFramebuffers(1, &means.Framebuffer);
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, means.Framebuffer);
     glFramebufferTexture(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, means.Textures[0], 0);
-    glBlitFramebuffer(rectangle[0], rectangle[1], right, top, rectangle[0], rectangle[1], right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(
+      rectangle[0], rectangle[1], right, top, rectangle[0], rectangle[1], right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, means.Framebuffer);
   }
   std::vector<float> values(4 * static_cast<std::size_t>(rectangle[2]) * rectangle[3]);

@@ -1,10 +1,11 @@
 /**
- * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage; or integer ones, of which fragments
- * fetch what earlier ones have drawn (Shaders/Common/PixelTargets.glsl).
+ * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage; or integer ones,
+ * of which fragments fetch what earlier ones have drawn (Shaders/Common/PixelTargets.glsl).
  *
- * They cover the framebuffer that the opaque geometry was drawn to, have as many samples, and share its depth buffer while they are drawn
- * to: nothing is copied, and fragments behind opaque geometry are rejected before they are shaded. Where a technique writes depth, they have
- * a depth buffer of their own, a copy of that one: the opaque depth is never changed.
+ * They cover the framebuffer that the opaque geometry was drawn to, have as many samples, and share its depth buffer
+ * while they are drawn to: nothing is copied, and fragments behind opaque geometry are rejected before they are shaded.
+ * Where a technique writes depth, they have a depth buffer of their own, a copy of that one: the opaque depth is never
+ * changed.
  *
  * OpenGL objects are made by Reserve and used within the frame; the owner calls Release.
  */
@@ -45,8 +46,8 @@ public:
   /// Makes buffers of these formats (at most 8). False if there is no memory for them.
   bool Reserve(int width, int height, int samples, const std::vector<Format>& formats);
 
-  /// Makes them what is drawn to, with the depth buffer of the framebuffer that was, or with a copy of it, made within the scissor
-  /// rectangle. Gives what is wrong, empty if nothing is.
+  /// Makes them what is drawn to, with the depth buffer of the framebuffer that was, or with a copy of it, made within
+  /// the scissor rectangle. Gives what is wrong, empty if nothing is.
   std::string Bind(vtkOpenGLRenderWindow* window, bool copyDepth = false);
 
   /// Sets the first ones to a value, within the scissor rectangle; words to its bits. They have to be bound.
@@ -55,8 +56,8 @@ public:
   /// The same for one of them.
   void Clear(int index, const std::array<float, 4>& value);
 
-  /// What one of them holds within a rectangle (x, y, width, height), four floats a pixel, row by row from the bottom: the mean of a
-  /// pixel's samples. They must not be bound. Empty if the driver can't.
+  /// What one of them holds within a rectangle (x, y, width, height), four floats a pixel, row by row from the bottom:
+  /// the mean of a pixel's samples. They must not be bound. Empty if the driver can't.
   std::vector<float> Read(int index, const std::array<int, 4>& rectangle, vtkOpenGLRenderWindow* window) const;
 
   /// Makes the framebuffer that was bound before Bind what is drawn to.

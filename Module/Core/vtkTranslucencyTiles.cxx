@@ -7,7 +7,8 @@ vtkTranslucencyTiles::Rectangle vtkTranslucencyTiles::Intersect(const Rectangle&
 {
   const int x = std::max(a[0], b[0]);
   const int y = std::max(a[1], b[1]);
-  return { { x, y, std::max(0, std::min(a[0] + a[2], b[0] + b[2]) - x), std::max(0, std::min(a[1] + a[3], b[1] + b[3]) - y) } };
+  return { { x, y, std::max(0, std::min(a[0] + a[2], b[0] + b[2]) - x),
+    std::max(0, std::min(a[1] + a[3], b[1] + b[3]) - y) } };
 }
 
 //------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 /**
  * The parts in which a viewport is drawn where all of it at once would take too much memory. Knows no OpenGL.
  *
- * A frame begins with the tiles that the frame before has ended with, as long as the viewport stays the same: what had to be cut once is cut from
- * the start.
+ * A frame begins with the tiles that the frame before has ended with, as long as the viewport stays the same: what had
+ * to be cut once is cut from the start.
  */
 #ifndef vtkTranslucencyTiles_h
 #define vtkTranslucencyTiles_h
@@ -28,10 +28,12 @@ public:
   /// Makes the next tile the current one. False if there is none left.
   bool Next();
 
-  /// Forgets the tiles of the frame before: the current one becomes the whole viewport. Does nothing once a tile of this frame has been cut or finished.
+  /// Forgets the tiles of the frame before: the current one becomes the whole viewport. Does nothing once a tile of
+  /// this frame has been cut or finished.
   void UseWholeViewport();
 
-  /// Cuts the current tile into so many parts, or as many as it has pixels along one side, and goes on with the first of them.
+  /// Cuts the current tile into so many parts, or as many as it has pixels along one side, and goes on with the first
+  /// of them.
   void Cut(int parts);
 
   /// Whether the current tile is one pixel, which can't be cut.

@@ -77,8 +77,8 @@ vtkTranslucencyTransmission::Kind vtkTranslucencyTransmission::Choose(
   const Count transmitting = CountProps(state);
   if (!transmitting.Invalid.empty() && this->Invalid != transmitting.Invalid)
   {
-    vtkErrorWithObjectMacro(pass,
-      << "TRANSMISSION_COLOR of a " << transmitting.Invalid << " is not three numbers from 0 to 1; they are taken as the nearest ones that are");
+    vtkErrorWithObjectMacro(pass, << "TRANSMISSION_COLOR of a " << transmitting.Invalid
+                                  << " is not three numbers from 0 to 1; they are taken as the nearest ones that are");
   }
   this->Invalid = transmitting.Invalid;
   if (transmitting.Props == 0)
@@ -94,10 +94,11 @@ vtkTranslucencyTransmission::Kind vtkTranslucencyTransmission::Choose(
   if (this->Mean != why)
   {
     this->Mean = why;
-    const std::string emissive =
-      transmitting.Emissive > 0 ? " (white for " + std::to_string(transmitting.Emissive) + " with emissive splats)" : "";
-    vtkWarningWithObjectMacro(pass, << pass->GetClassName() << " takes the transmission colours of " << transmitting.Props
-                                    << " props" << emissive << " by their mean: " << why);
+    const std::string emissive = transmitting.Emissive > 0
+      ? " (white for " + std::to_string(transmitting.Emissive) + " with emissive splats)"
+      : "";
+    vtkWarningWithObjectMacro(pass, << pass->GetClassName() << " takes the transmission colours of "
+                                    << transmitting.Props << " props" << emissive << " by their mean: " << why);
   }
   return Kind::Mean;
 }

@@ -1,6 +1,7 @@
 /**
- * Transmission colours as props have them (vtkTranslucencyPass::TRANSMISSION_COLOR), and the props that let light through without one: what VTK draws by
- * adding it to the picture is as if its colour were white. Each pass has one, which chooses what its technique draws of them.
+ * Transmission colours as props have them (vtkTranslucencyPass::TRANSMISSION_COLOR), and the props that let light
+ * through without one: what VTK draws by adding it to the picture is as if its colour were white. Each pass has one,
+ * which chooses what its technique draws of them.
  */
 #ifndef vtkTranslucencyTransmission_h
 #define vtkTranslucencyTransmission_h
@@ -35,11 +36,12 @@ public:
     Colored
   };
 
-  /// What a technique draws of a state's props, on a driver that may lack something. Warns where it is the mean, and of colours that are none, once.
+  /// What a technique draws of a state's props, on a driver that may lack something. Warns where it is the mean, and of
+  /// colours that are none, once.
   Kind Choose(vtkTranslucencyPass* pass, const vtkRenderState* state, const std::string& lacking);
 
 private:
-  std::string Mean; // why the mean was taken, as last warned of,
+  std::string Mean;    // why the mean was taken, as last warned of,
   std::string Invalid; // and the class of the prop
 };
 

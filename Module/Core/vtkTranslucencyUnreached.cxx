@@ -53,7 +53,9 @@ void vtkTranslucencyUnreached::Watch(vtkOpenGLRenderWindow* window, const std::f
   const auto report = [this, drawn](vtkShaderProgram* program)
   {
     const auto known = this->HasText.find(program);
-    const bool has = known != this->HasText.end() ? known->second : this->HasText.emplace(program, this->FindText(program)).first->second;
+    const bool has = known != this->HasText.end()
+      ? known->second
+      : this->HasText.emplace(program, this->FindText(program)).first->second;
     if (!has && DrawFramebuffer() == drawn) // mappers may prepare something elsewhere
     {
       this->Missed = true;
@@ -86,7 +88,8 @@ bool vtkTranslucencyUnreached::Test(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTranslucencyUnreached::Find(const vtkRenderState* state, vtkOpenGLRenderWindow* window, const Drawing& draw)
+std::string vtkTranslucencyUnreached::Find(
+  const vtkRenderState* state, vtkOpenGLRenderWindow* window, const Drawing& draw)
 {
   for (auto known = this->Props.begin(); known != this->Props.end();)
   {
@@ -110,7 +113,8 @@ std::string vtkTranslucencyUnreached::Find(const vtkRenderState* state, vtkOpenG
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyUnreached::LookAgain(const vtkRenderState* state, vtkOpenGLRenderWindow* window, const Drawing& draw)
+void vtkTranslucencyUnreached::LookAgain(
+  const vtkRenderState* state, vtkOpenGLRenderWindow* window, const Drawing& draw)
 {
   for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
   {
@@ -156,7 +160,8 @@ void vtkTranslucencyUnreached::Warn(vtkObject* pass, const std::string& descript
   if (!descriptions.empty() && this->Warned.insert(descriptions).second)
   {
     vtkWarningWithObjectMacro(pass,
-      << descriptions << " draws by shaders that the pass can't reach, those of actors within it or of the user's own; it is drawn by "
+      << descriptions
+      << " draws by shaders that the pass can't reach, those of actors within it or of the user's own; it is drawn by "
       << "itself, once for each of its layers, which are then among all others");
   }
 }

@@ -1,12 +1,14 @@
 /**
  * The props whose shaders a pass's text does not reach.
  *
- * There are two kinds: props that draw by actors of their own and don't hand their property keys on to them, and props with a shader
- * that has no place for the text. Both are known by what they do: while they are drawn with the pass's key, a program without the text
- * is bound for the framebuffer that is drawn to (vtkTranslucencyShaderWatch). All translucent props are watched in one drawing; if one is met, each
- * is drawn by itself to find which it was, without rasterizing. From then on it is known, and looked at again only when it changes. Where a
- * drawing can't be repeated, since it goes over the opaque picture, all props are looked at before. What a prop says of itself is not asked:
- * vtkSphereHandleRepresentation, vtkDistanceRepresentation3D and vtkLightRepresentation draw translucent geometry and say that they have none.
+ * There are two kinds: props that draw by actors of their own and don't hand their property keys on to them, and props
+ * with a shader that has no place for the text. Both are known by what they do: while they are drawn with the pass's
+ * key, a program without the text is bound for the framebuffer that is drawn to (vtkTranslucencyShaderWatch). All
+ * translucent props are watched in one drawing; if one is met, each is drawn by itself to find which it was, without
+ * rasterizing. From then on it is known, and looked at again only when it changes. Where a drawing can't be repeated,
+ * since it goes over the opaque picture, all props are looked at before. What a prop says of itself is not asked:
+ * vtkSphereHandleRepresentation, vtkDistanceRepresentation3D and vtkLightRepresentation draw translucent geometry and
+ * say that they have none.
  */
 #ifndef vtkTranslucencyUnreached_h
 #define vtkTranslucencyUnreached_h
@@ -52,7 +54,8 @@ public:
   /// Looks again at those known ones that have changed.
   void LookAgain(const vtkRenderState* state, vtkOpenGLRenderWindow* window, const Drawing& draw);
 
-  /// Looks at all props that it has not looked at since they changed, in a drawing of its own. Gives the descriptions of those found.
+  /// Looks at all props that it has not looked at since they changed, in a drawing of its own. Gives the descriptions
+  /// of those found.
   std::string LookAhead(const vtkRenderState* state, vtkOpenGLRenderWindow* window, const Drawing& draw);
 
   /// Warns of props so described, in the name of a pass, once.
@@ -76,7 +79,8 @@ private:
   const Known* FindKnown(vtkProp* prop) const; // null if it is not
   void Note(vtkProp* prop, bool reached);
 
-  bool Test(std::vector<vtkProp*> props, const vtkRenderState* like, vtkOpenGLRenderWindow* window, const Drawing& draw);
+  bool Test(
+    std::vector<vtkProp*> props, const vtkRenderState* like, vtkOpenGLRenderWindow* window, const Drawing& draw);
 
   bool FindText(vtkShaderProgram* program) const;
 

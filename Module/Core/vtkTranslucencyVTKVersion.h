@@ -31,8 +31,7 @@ inline vtkProp* vtkTranslucencyProp(const vtkRenderState* state, int index)
 }
 
 /// Makes a render state like another one, of these props, which have to outlive it.
-inline void vtkTranslucencySetProps(
-  vtkRenderState& state, std::vector<vtkProp*>& props, const vtkRenderState* like)
+inline void vtkTranslucencySetProps(vtkRenderState& state, std::vector<vtkProp*>& props, const vtkRenderState* like)
 {
   state.SetFrameBuffer(like->GetFrameBuffer());
   state.SetRequiredKeys(like->GetRequiredKeys());

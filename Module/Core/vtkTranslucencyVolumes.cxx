@@ -51,8 +51,7 @@ void vtkTranslucencyVolumes::Gather(const vtkRenderState* one)
   this->Gathered = false;
   this->Pass->Render(one);
   vtkProp* prop = vtkTranslucencyProp(one, 0);
-  const bool known =
-    std::find(this->Others.begin(), this->Others.end(), prop) != this->Others.end();
+  const bool known = std::find(this->Others.begin(), this->Others.end(), prop) != this->Others.end();
   if (!this->Gathered && this->Pass->GetNumberOfRenderedProps() > 0 && !known)
   {
     this->Others.push_back(prop);
@@ -109,8 +108,7 @@ bool vtkTranslucencyVolumes::PreReplaceShaderValues(
                              "  storeSegment(color);\n"
                              "}\n"
                              "gl_FragData[0] = vec4(0.0);\n";
-  return vtkTranslucencyShader::Substitute(
-    fragmentShader, "//VTK::CallWorker::Impl", worker, who, error);
+  return vtkTranslucencyShader::Substitute(fragmentShader, "//VTK::CallWorker::Impl", worker, who, error);
 }
 
 //------------------------------------------------------------------------------
@@ -119,11 +117,9 @@ bool vtkTranslucencyVolumes::PostReplaceShaderValues(
 {
   const auto declares = [&fragmentShader](const char* name)
   { return std::string(fragmentShader.find(name) != std::string::npos ? "1\n" : "0\n"); };
-  const std::string declarations = "#define RAY_FINDS_VALUES " +
-    declares("uniform float in_isosurfacesValues") + "#define RAY_MEETS_PLANE " +
-    declares("uniform vec3 in_slicePlaneOrigin") + this->GatherText;
-  const std::string system =
-    "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
+  const std::string declarations = "#define RAY_FINDS_VALUES " + declares("uniform float in_isosurfacesValues") +
+    "#define RAY_MEETS_PLANE " + declares("uniform vec3 in_slicePlaneOrigin") + this->GatherText;
+  const std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
   const std::string start = "if (!START_RAY(zStart, zEnd)) { return vec4(0.0); }\n";
   using Shader = vtkTranslucencyShader;
   return Shader::Substitute(fragmentShader, "//VTK::System::Dec", system, who, error) &&

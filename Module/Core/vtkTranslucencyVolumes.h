@@ -1,13 +1,16 @@
 /**
- * Volumes among translucent surfaces: on their way through the lists, rays are cast from fragment to fragment, and what a segment of
- * the ray gathers becomes a fragment of the list, between the two that bound it. Techniques resolve it like any other.
+ * Volumes among translucent surfaces: on their way through the lists, rays are cast from fragment to fragment, and what
+ * a segment of the ray gathers becomes a fragment of the list, between the two that bound it. Techniques resolve it
+ * like any other.
  *
- * vtkDualDepthPeelingPass casts a ray between each two layers that it peels, in every peel, and takes the samples at both ends of
- * each part anew. Here a ray is cast once, whatever the number of surfaces, and takes the samples that it takes without them.
+ * vtkDualDepthPeelingPass casts a ray between each two layers that it peels, in every peel, and takes the samples at
+ * both ends of each part anew. Here a ray is cast once, whatever the number of surfaces, and takes the samples that it
+ * takes without them.
  *
- * That is done by the shader of vtkGPUVolumeRayCastMapper, also behind vtkSmartVolumeMapper, vtkMultiBlockVolumeMapper and
- * vtkMultiVolume, where it draws into the picture itself. Others (ray casters on the CPU, projected tetrahedra, an ImageSampleDistance
- * other than 1) can't be divided: they are drawn over the surfaces, as VTK does without peeling, after a warning, and so are volumes inside of assemblies and vtkLODProp3D.
+ * That is done by the shader of vtkGPUVolumeRayCastMapper, also behind vtkSmartVolumeMapper, vtkMultiBlockVolumeMapper
+ * and vtkMultiVolume, where it draws into the picture itself. Others (ray casters on the CPU, projected tetrahedra, an
+ * ImageSampleDistance other than 1) can't be divided: they are drawn over the surfaces, as VTK does without peeling,
+ * after a warning, and so are volumes inside of assemblies and vtkLODProp3D.
  *
  * Volumes that overlap are each divided at the others' segments, too.
  */
@@ -40,15 +43,14 @@ public:
   /// Draws a state of one volume, whose shader stores what it finds.
   void Gather(const vtkRenderState* one);
 
-  /// Draws what is not among GetProps() or could not be gathered, over what is there. Gives what it was: empty if nothing.
+  /// Draws what is not among GetProps() or could not be gathered, over what is there. Gives what it was: empty if
+  /// nothing.
   std::string DrawUndivided(const vtkRenderState* state);
 
   // Of vtkOpenGLRenderPass, for ray casters.
   static bool IsRayCaster(vtkAbstractMapper* mapper);
-  bool PreReplaceShaderValues(
-    std::string& fragmentShader, const std::string& who, std::string& error) const;
-  bool PostReplaceShaderValues(
-    std::string& fragmentShader, const std::string& who, std::string& error) const;
+  bool PreReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const;
+  bool PostReplaceShaderValues(std::string& fragmentShader, const std::string& who, std::string& error) const;
   void SetShaderParameters(vtkShaderProgram* program);
 
 private:

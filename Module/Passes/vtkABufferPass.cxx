@@ -23,12 +23,11 @@ void vtkABufferPass::SetResolve(int resolve)
 //------------------------------------------------------------------------------
 std::vector<vtkTranslucencyOption> vtkABufferPass::GetOptions()
 {
-  std::vector<vtkTranslucencyOption> options{ { "Resolve", "resolve",
-    vtkTranslucencyOption::Kind::Choice, Recursive, 0, 1, { "recursive", "iterative" },
+  std::vector<vtkTranslucencyOption> options{ { "Resolve", "resolve", vtkTranslucencyOption::Kind::Choice, Recursive, 0,
+    1, { "recursive", "iterative" },
     "recursive sorts a pixel's fragments and blends them; iterative weights each with all in front of it, without "
     "sorting, and is slower for deep pixels",
-    [this] { return this->GetResolve(); },
-    [this](double value) { this->SetResolve(static_cast<int>(value)); } } };
+    [this] { return this->GetResolve(); }, [this](double value) { this->SetResolve(static_cast<int>(value)); } } };
   for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
   {
     options.push_back(option);

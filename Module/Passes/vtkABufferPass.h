@@ -6,14 +6,14 @@
  *
  * 1. Gather: all translucent fragments into the storage (one linked list a pixel).
  * 2. Resolve, one of
- *    - Recursive (Eq. 3): order a pixel's fragments by depth, then blend them, front to back. Up to 32 fragments are sorted
- *      in registers by a sorting network; longer lists are cut into such runs, which are merged: n log n steps.
- *    - Iterative (Eq. 2): each fragment is weighted with the transmittance of all that lie in front of it, found by walking
- *      the list and without sorting: n^2 steps. Slower for deep pixels; here as the paper's second reference.
+ *    - Recursive (Eq. 3): order a pixel's fragments by depth, then blend them, front to back. Up to 32 fragments are
+ * sorted in registers by a sorting network; longer lists are cut into such runs, which are merged: n log n steps.
+ *    - Iterative (Eq. 2): each fragment is weighted with the transmittance of all that lie in front of it, found by
+ * walking the list and without sorting: n^2 steps. Slower for deep pixels; here as the paper's second reference.
  *
- * Fragments of equal depth are blended in the order in which they were drawn, the later in front of the earlier, where the
- * driver keeps that order; elsewhere in a fixed order of their contents. Either way each run gives the same picture.
- * Sums and products are held in 32-bit floats, whatever the framebuffer has.
+ * Fragments of equal depth are blended in the order in which they were drawn, the later in front of the earlier, where
+ * the driver keeps that order; elsewhere in a fixed order of their contents. Either way each run gives the same
+ * picture. Sums and products are held in 32-bit floats, whatever the framebuffer has.
  */
 #ifndef vtkABufferPass_h
 #define vtkABufferPass_h

@@ -35,7 +35,8 @@ void vtkAbsorbancePass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkAbsorbancePass::SetFineness(int number)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), this->Technique.Name, this->Fineness, number);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkAbsorbancePass::GetOptions(), this->Technique.Name, this->Fineness, number);
 }
 
 //------------------------------------------------------------------------------
@@ -47,7 +48,8 @@ void vtkAbsorbancePass::SetBounds(int bounds)
 //------------------------------------------------------------------------------
 void vtkAbsorbancePass::SetAlphaCorrection(bool correction)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkAbsorbancePass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
 }
 
 //------------------------------------------------------------------------------
@@ -60,9 +62,9 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
       [this](double value) { this->SetFineness(static_cast<int>(value)); } },
     this->GetMemoryOption(),
     { "Bounds", "bounds", Kind::Choice, Fragments, 0, 1, { "fragments", "props" },
-      "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, or that of all props",
-      [this] { return this->GetBounds(); },
-      [this](double value) { this->SetBounds(static_cast<int>(value)); } },
+      "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, "
+      "or that of all props",
+      [this] { return this->GetBounds(); }, [this](double value) { this->SetBounds(static_cast<int>(value)); } },
     { "AlphaCorrection", "alpha_correction", Kind::Choice, 1, 0, 1, { "off", "on" },
       "on scales colours so that the weights of a pixel's fragments add up to what they hide",
       [this] { return this->GetAlphaCorrection() ? 1 : 0; },
@@ -115,12 +117,14 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
 {
   const std::vector<int> formats = this->GetTermFormats();
   const int vectors = static_cast<int>(formats.size());
-  vtkTranslucencyFrame::Gathering gathering{ std::string(this->Technique.Folder) + "/Gather.glsl", this->GetDefines(), std::max(2, vectors) };
+  vtkTranslucencyFrame::Gathering gathering{ std::string(this->Technique.Folder) + "/Gather.glsl", this->GetDefines(),
+    std::max(2, vectors) };
   gathering.Values["GATHER_OUTPUTS"] = std::to_string(gathering.Outputs);
 
-  // One text reads all targets, each in the stage that needs it. In the others its sampler sees Colors, which is not drawn to then: a
-  // sampler that sees nothing may meet one of another type at its unit.
-  const auto inputs = [&](const vtkTranslucencyTargets* bounds, const vtkTranslucencyTargets* terms) {
+  // One text reads all targets, each in the stage that needs it. In the others its sampler sees Colors, which is not
+  // drawn to then: a sampler that sees nothing may meet one of another type at its unit.
+  const auto inputs = [&](const vtkTranslucencyTargets* bounds, const vtkTranslucencyTargets* terms)
+  {
     std::vector<vtkTranslucencyFrame::Input> read;
     if (this->Bounds == Fragments)
     {
@@ -193,7 +197,8 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkAbsorbancePass::GetTechniqueBytes()
 {
-  return this->Superclass::GetTechniqueBytes() + this->DepthBounds.GetBytes() + this->Terms.GetBytes() + this->Colors.GetBytes();
+  return this->Superclass::GetTechniqueBytes() + this->DepthBounds.GetBytes() + this->Terms.GetBytes() +
+    this->Colors.GetBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -2,47 +2,33 @@
  * @class   vtkAbsorbancePass
  * @brief   transparency by sums over the absorbance of a pixel's fragments
  *
- * The base of techniques that describe vis(z), the transmittance between the viewer and depth z, by a fixed number of sums to which every
- * fragment adds, whatever the order: Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency", sections 2 and 4, where they are FOMT and
- * OSMT. A subclass gives the shaders of the sums: vtkFourierOpacityPass, vtkOpacityShadowMapPass.
+ * The base of techniques that describe vis(z), the transmittance between the viewer and depth z, by a fixed number of
+ * sums to which every fragment adds, whatever the order: Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency",
+ * sections 2 and 4, where they are FOMT and OSMT. A subclass gives the shaders of the sums: vtkFourierOpacityPass,
+ * vtkOpacityShadowMapPass.
  *
- * What adds up is absorbance, -ln(1 - opacity), at most ln(1024) a fragment: an opaque one hides what is behind it to a quarter of 1/255. A
- * fragment's own absorbance is taken out of the sums when it asks for its visibility, so that a pixel's only fragment is exact. The total
- * transmittance is the product of 1 - opacity, exact in any case.
+ * What adds up is absorbance, -ln(1 - opacity), at most ln(1024) a fragment: an opaque one hides what is behind it to a
+ * quarter of 1/255. A fragment's own absorbance is taken out of the sums when it asks for its visibility, so that a
+ * pixel's only fragment is exact. The total transmittance is the product of 1 - opacity, exact in any case.
  *
  * Memory Fixed: blended targets of 32-bit floats, each pixel and sample the same, however many fragments there are:
  * 0. if Bounds is Fragments, the nearest and the farthest depth of a pixel (8 bytes);
  * 1. the sums (4 bytes each);
- * 2. the geometry once more: the fragments' colours, weighted with opacity and vis(z), with the total transmittance (16 bytes), and the
- *    weights (4 bytes);
+ * 2. the geometry once more: the fragments' colours, weighted with opacity and vis(z), with the total transmittance (16
+ * bytes), and the weights (4 bytes);
  * 3. composite.
  *
- * Memory Variable (the default): one drawing of the geometry into the storage, and one full-screen pass that walks a pixel's list for the bounds, the
- * sums, and the colours. The sums are in registers and take no memory. The storage and its options are used by Variable only.
+ * Memory Variable (the default): one drawing of the geometry into the storage, and one full-screen pass that walks a
+ * pixel's list for the bounds, the sums, and the colours. The sums are in registers and take no memory. The storage and
+ * its options are used by Variable only.
  *
- * Both draw the same picture, but for the rounding of stored colours. Volumes are divided at surfaces by Variable only. Lists too long for a driver's
- * loops (some 20,000 fragments of a pixel) are sorted and drawn exactly.
+ * Both draw the same picture, but for the rounding of stored colours. Volumes are divided at surfaces by Variable only.
+ * Lists too long for a driver's loops (some 20,000 fragments of a pixel) are sorted and drawn exactly.
  *
- * Transmission colours (SetTransmissionColor): Variable sums the absorbances of red, green and blue each, and corrects each channel. Light of what
- * hides nothing is never more than all fragments give together. Fixed takes their mean: three times the terms, with three transmittances, fit
- * into the 8 targets of a drawing for few terms only. Of 300 rectangles with colours from 0 to 0.9 (400x300), Variable is as near to the exact
- * picture as without colours, 0.48 % (Fourier) and 0.44 % (shadow map), Fixed is off by 4.6 %. Variable takes 1.6 and 1.7 times as long,
- * vtkABufferPass 1.4 times as long as without.
- *
- * Distance from the exact picture, root mean square of all channels in percent of the full range (400x300 and 640x360):
- *
- * |                                 | 300 rectangles | frog's tissues |
- * | ------------------------------- | -------------- | -------------- |
- * | Fourier, 4 pairs                | 0.48           | 0.49           |
- * | the same, bounds of the props   | 0.51           | 1.33           |
- * | the same, no alpha correction   | 0.90           | 1.48           |
- * | shadow map, 16 slices           | 0.41           | 0.43           |
- * | the same, bounds of the props   | 0.43           | 1.06           |
- * | the same, no alpha correction   | 0.88           | 1.13           |
- * | weighted blended, plain blending| 3.07, 4.66     | 3.84, 5.29     |
- *
- * Time on a software rasterizer with two busy cores, where plain blending is 1 (rectangles at 800x600, frog at 1280x720), beside vtkABufferPass at 5.3 to 6
- * and 1.3 in the same runs: Variable 6.5 to 7 and 1.3; Fixed with the bounds of the props 7 and 2.7, with those of the fragments 10 to 11 and 4.4.
+ * Transmission colours (SetTransmissionColor): Variable sums the absorbances of red, green and blue each, and corrects
+ * each channel. Light of what hides nothing is never more than all fragments give together. Fixed takes their mean:
+ * three times the terms, with three transmittances, fit into the 8 targets of a drawing for few terms only.
+ * Documentation/Figures.md has errors and times, also of transmission colours.
  */
 #ifndef vtkAbsorbancePass_h
 #define vtkAbsorbancePass_h
@@ -65,7 +51,8 @@ public:
   ///@{
   /**
    * The range of depths over which the sums are spread, the smaller the better they tell fragments apart:
-   * - Fragments (the default): that of the pixel's fragments, as in the paper. With Fixed it takes one more drawing of the geometry.
+   * - Fragments (the default): that of the pixel's fragments, as in the paper. With Fixed it takes one more drawing of
+   * the geometry.
    * - Props: that of the boxes around all translucent props, the same for the whole picture. Fragments outside, such as
    *   those of points drawn as spheres, count as being at its ends.
    * Another value is an error and changes nothing.
@@ -76,9 +63,10 @@ public:
 
   ///@{
   /**
-   * Whether a pixel's colour is scaled so that the weights of its fragments add up to 1 - total transmittance, as those of exact visibilities do
-   * (the alpha correction of Enderton, Sintorn, Shirley, Luebke 2010, "Stochastic Transparency"). On by default: without, approximate
-   * visibilities make a picture too dark or too bright, not only mix its colours wrongly. Off is the paper's sum (Eq. 2).
+   * Whether a pixel's colour is scaled so that the weights of its fragments add up to 1 - total transmittance, as those
+   * of exact visibilities do (the alpha correction of Enderton, Sintorn, Shirley, Luebke 2010, "Stochastic
+   * Transparency"). On by default: without, approximate visibilities make a picture too dark or too bright, not only
+   * mix its colours wrongly. Off is the paper's sum (Eq. 2).
    */
   void SetAlphaCorrection(bool correction);
   vtkGetMacro(AlphaCorrection, bool);

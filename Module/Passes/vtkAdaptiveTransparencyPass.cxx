@@ -14,8 +14,7 @@ namespace
 constexpr int LeastNodes = 1;
 constexpr int MostNodes = 64;
 
-const char* const Removals[] = { "NODE_REMOVAL_UNDERESTIMATE", "NODE_REMOVAL_OVERESTIMATE",
-  "NODE_REMOVAL_MIXED" };
+const char* const Removals[] = { "NODE_REMOVAL_UNDERESTIMATE", "NODE_REMOVAL_OVERESTIMATE", "NODE_REMOVAL_MIXED" };
 const char* const Shows[] = { "SHOW_PICTURE", "SHOW_ERROR", "SHOW_NODES" };
 }
 
@@ -39,19 +38,22 @@ void vtkAdaptiveTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetNodeCount(int count)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "NodeCount", this->NodeCount, count);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkAdaptiveTransparencyPass::GetOptions(), "NodeCount", this->NodeCount, count);
 }
 
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetNodeRemoval(int removal)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "NodeRemoval", this->NodeRemoval, removal);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkAdaptiveTransparencyPass::GetOptions(), "NodeRemoval", this->NodeRemoval, removal);
 }
 
 //------------------------------------------------------------------------------
 void vtkAdaptiveTransparencyPass::SetAlphaCorrection(bool correction)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkAdaptiveTransparencyPass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
 }
 
 //------------------------------------------------------------------------------
@@ -62,7 +64,8 @@ void vtkAdaptiveTransparencyPass::SetTolerance(double tolerance)
     vtkErrorMacro(<< "Tolerance is " << tolerance << ", expected 0 while Memory is Fixed");
     return;
   }
-  vtkTranslucencyOption::SetProperty(this, vtkAdaptiveTransparencyPass::GetOptions(), "Tolerance", this->Tolerance, tolerance);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkAdaptiveTransparencyPass::GetOptions(), "Tolerance", this->Tolerance, tolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -89,23 +92,24 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
   std::vector<vtkTranslucencyOption> options{
     { "NodeCount", "nodes", Kind::Integer, 16, LeastNodes, MostNodes, {},
       "nodes of the visibility function; 8 is hard to tell from exact, 16 safer for hair and smoke",
-      [this] { return this->GetNodeCount(); },
-      [this](double value) { this->SetNodeCount(static_cast<int>(value)); } },
-    { "NodeRemoval", "removal", Kind::Choice, Underestimate, 0, 2,
-      { "underestimate", "overestimate", "mixed" },
+      [this] { return this->GetNodeCount(); }, [this](double value) { this->SetNodeCount(static_cast<int>(value)); } },
+    { "NodeRemoval", "removal", Kind::Choice, Underestimate, 0, 2, { "underestimate", "overestimate", "mixed" },
       "how a full visibility function loses a node; underestimate looks best",
       [this] { return this->GetNodeRemoval(); },
       [this](double value) { this->SetNodeRemoval(static_cast<int>(value)); } },
     { "AlphaCorrection", "alpha_correction", Kind::Choice, 1, 0, 1, { "off", "on" },
-      "on weighs what has lost its node so that a pixel's weights add up to what its fragments hide, which is about ten times nearer to exact; off is the paper",
+      "on weighs what has lost its node so that a pixel's weights add up to what its fragments hide, which is about "
+      "ten times nearer to exact; off is the paper",
       [this] { return this->GetAlphaCorrection() ? 1 : 0; },
       [this](double value) { this->SetAlphaCorrection(value != 0); } },
     { "Tolerance", "tolerance", Kind::Real, 0, 0, 1, {},
-      "pixels whose estimated error is greater take more than 'nodes' nodes: the mean error of transmittance over a pixel's depths; 0 sets no limit; "
+      "pixels whose estimated error is greater take more than 'nodes' nodes: the mean error of transmittance over a "
+      "pixel's depths; 0 sets no limit; "
       "not in fixed memory",
       [this] { return this->GetTolerance(); }, [this](double value) { this->SetTolerance(value); } },
     { "Show", "show", Kind::Choice, Picture, 0, 2, { "picture", "error", "nodes" },
-      "error draws the estimated error of each pixel, white where it reaches the tolerance (0.1 if that is 0); nodes the nodes it uses, white "
+      "error draws the estimated error of each pixel, white where it reaches the tolerance (0.1 if that is 0); nodes "
+      "the nodes it uses, white "
       "where it is 64 or all fragments were sorted",
       [this] { return this->GetShow(); }, [this](double value) { this->SetShow(static_cast<int>(value)); } },
     this->GetMemoryOption(), this->GetCriticalSectionOption()
@@ -173,7 +177,8 @@ bool vtkAdaptiveTransparencyPass::RenderFixed(vtkTranslucencyFrame& frame)
   constexpr int wordsOfCount = 1;
   constexpr int wordsOfSums = 5;
   const bool fetchable = channels == 1 && this->Show == Picture;
-  if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit(), { fetchable ? wordsOfCount + words + wordsOfSums : 0, wordsOfCount }))
+  if (!frame.UsePixels(this->Functions, words, this->Storage->GetMemoryLimit(),
+        { fetchable ? wordsOfCount + words + wordsOfSums : 0, wordsOfCount }))
   {
     return false;
   }
@@ -242,8 +247,8 @@ bool vtkAdaptiveTransparencyPass::ResolveLists(vtkTranslucencyFrame& frame)
     return this->ResolveToTolerance(frame, rest) && this->ResolveExactly(frame);
   }
   vtkTranslucencyFrame::Defines defines = this->GetDefines(this->NodeCount);
-  defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(TechniqueMore) }, { "UNFINISHED_LEVEL", LevelText(Long) },
-    { "TOLERANCE", "0" }, { "SHOW", Shows[this->Show] } });
+  defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(TechniqueMore) },
+    { "UNFINISHED_LEVEL", LevelText(Long) }, { "TOLERANCE", "0" }, { "SHOW", Shows[this->Show] } });
   if (!frame.Resolve("Adaptive/Resolve.glsl", defines, rest, this->GetWhite()))
   {
     return false;
@@ -261,9 +266,10 @@ bool vtkAdaptiveTransparencyPass::ResolveLists(vtkTranslucencyFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Each step has twice the nodes of the one before, and draws what that has left. Between fragments of equal depth there is no area to lose:
-// pixels that have such are sorted, whatever the estimate.
-bool vtkAdaptiveTransparencyPass::ResolveToTolerance(vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& squares)
+// Each step has twice the nodes of the one before, and draws what that has left. Between fragments of equal depth there
+// is no area to lose: pixels that have such are sorted, whatever the estimate.
+bool vtkAdaptiveTransparencyPass::ResolveToTolerance(
+  vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Squares& squares)
 {
   vtkTranslucencyFrame::Uniforms uniforms = this->GetWhite();
   uniforms["errorTolerance"] = static_cast<float>(this->Tolerance);
@@ -273,8 +279,9 @@ bool vtkAdaptiveTransparencyPass::ResolveToTolerance(vtkTranslucencyFrame& frame
   {
     const bool last = nodes == MostNodes;
     vtkTranslucencyFrame::Defines defines = this->GetDefines(nodes);
-    defines.insert({ { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(Long) }, { "UNFINISHED_LEVEL", LevelText(Long) },
-      { "TOLERANCE", "1" }, { "FINER_LEVEL", LevelText(last ? Long : finer) }, { "SHOW", Shows[this->Show] } });
+    defines.insert(
+      { { "EQUAL_DEPTHS", "0" }, { "EQUAL_DEPTHS_LEVEL", LevelText(Long) }, { "UNFINISHED_LEVEL", LevelText(Long) },
+        { "TOLERANCE", "1" }, { "FINER_LEVEL", LevelText(last ? Long : finer) }, { "SHOW", Shows[this->Show] } });
     if (!frame.Resolve("Adaptive/Resolve.glsl", defines, left, uniforms))
     {
       return false;
@@ -296,5 +303,6 @@ bool vtkAdaptiveTransparencyPass::ResolveExactly(vtkTranslucencyFrame& frame)
     return this->ResolveLeftLists(frame);
   }
   return !frame.IsLeftTo(Long) ||
-    frame.Resolve("Adaptive/ShowSorted.glsl", { { "SHOW", Shows[this->Show] } }, vtkTranslucencyFrame::Squares::LeftTo(Long), this->GetWhite());
+    frame.Resolve("Adaptive/ShowSorted.glsl", { { "SHOW", Shows[this->Show] } },
+      vtkTranslucencyFrame::Squares::LeftTo(Long), this->GetWhite());
 }

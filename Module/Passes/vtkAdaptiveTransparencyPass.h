@@ -7,85 +7,66 @@
  * In variable memory (section 4.1, the default):
  * 1. Gather: all translucent fragments into the storage (one linked list a pixel).
  * 2. Resolve, one full-screen pass that walks a pixel's list twice:
- *    - each fragment is inserted into the visibility function vis(z), a front-to-back list of at most NodeCount nodes, each
- *      a depth and the transmittance behind it (sections 3.2, 3.3). When there are more fragments than nodes, the node whose
- *      removal changes the area under vis(z) least is removed (Eq. 7), see NodeRemoval.
- *    - each fragment's colour is weighted with its opacity and vis at its depth, and summed (Eq. 2); the sum is corrected (AlphaCorrection).
+ *    - each fragment is inserted into the visibility function vis(z), a front-to-back list of at most NodeCount nodes,
+ * each a depth and the transmittance behind it (sections 3.2, 3.3). When there are more fragments than nodes, the node
+ * whose removal changes the area under vis(z) least is removed (Eq. 7), see NodeRemoval.
+ *    - each fragment's colour is weighted with its opacity and vis at its depth, and summed (Eq. 2); the sum is
+ * corrected (AlphaCorrection).
  *
- * AlphaCorrection, on by default, goes past the paper. A node's step that is removed moves to the node k in front, so that the fragments between that and
- * the next node are all seen through t[k], which they hide together. Their weights fall short of what they hide: 200 quads of one colour and
- * opacity .05 come out 228 of 255 with 8 nodes. So in a pixel that has lost nodes
- * - a fragment without a node is seen through sqrt(t[k-1] * t[k]), which is right in the middle of several of one opacity, but through no less than
- *   t[k] / (1 - opacity), since it does not hide itself, and no more than t[k-1]. Fragments with nodes see what they saw. With the other rules of
- *   NodeRemoval, whose steps move to the farther node, too, all do,
- * - the sum is multiplied by (1 - total transmittance) / (sum of the weights), each channel by its own (the alpha correction of Enderton, Sintorn,
- *   Shirley, Luebke 2010, "Stochastic Transparency"): the weights of exact visibilities add up to that.
- * And the area that a removal loses counts as wider by 1/256 of the distance from the first node to the last: else nearly coincident fragments,
- * between which there is no area, lose all their nodes but one, whatever they hide.
+ * AlphaCorrection, on by default, goes past the paper. A node's step that is removed moves to the node k in front, so
+ * that the fragments between that and the next node are all seen through t[k], which they hide together. Their weights
+ * fall short of what they hide: 200 quads of one colour and opacity .05 come out 228 of 255 with 8 nodes. So in a pixel
+ * that has lost nodes
+ * - a fragment without a node is seen through sqrt(t[k-1] * t[k]), which is right in the middle of several of one
+ * opacity, but through no less than t[k] / (1 - opacity), since it does not hide itself, and no more than t[k-1].
+ * Fragments with nodes see what they saw. With the other rules of NodeRemoval, whose steps move to the farther node,
+ * too, all do,
+ * - the sum is multiplied by (1 - total transmittance) / (sum of the weights), each channel by its own (the alpha
+ * correction of Enderton, Sintorn, Shirley, Luebke 2010, "Stochastic Transparency"): the weights of exact visibilities
+ * add up to that. And the area that a removal loses counts as wider by 1/256 of the distance from the first node to the
+ * last: else nearly coincident fragments, between which there is no area, lose all their nodes but one, whatever they
+ * hide.
  *
- * Visibility still never rises with depth, the total transmittance is exact, and a pixel with no more fragments than nodes is what it was, bit for bit.
- * Documentation/Adaptive.md has what else was tried. Distance from the exact picture, without correction -> with it, root mean square of all channels
- * in percent of the full range, and the largest difference of 255:
+ * Visibility still never rises with depth, the total transmittance is exact, and a pixel with no more fragments than
+ * nodes is what it was, bit for bit. Documentation/Adaptive.md has what else was tried, Documentation/Figures.md how
+ * far pictures are from the exact one.
  *
- * | nodes | 1200 rectangles, to 73 deep | 300 rectangles, to 24  | 40 spheres, to 50    | frog's tissues, to 24 | carotid artery, to 32 |
- * | ----- | --------------------------- | ---------------------- | -------------------- | --------------------- | --------------------- |
- * | 4     | 14.9 -> 1.63, 104 -> 23     | 4.87 -> 0.54, 62 -> 11 | 5.48 -> 0.78, 70 -> 26 | 1.95 -> 0.25, 93 -> 44 | 1.91 -> 0.49, 111 -> 47 |
- * | 8     | 6.05 -> 0.54, 55 -> 11      | 1.37 -> 0.15, 23 -> 5  | 1.52 -> 0.17, 38 -> 9  | 0.41 -> 0.034, 63 -> 7 | 0.20 -> 0.035, 71 -> 7 |
- * | 16    | 1.65 -> 0.16, 22 -> 3       | 0.12 -> 0.015, 9 -> 1  | 0.19 -> 0.026, 16 -> 1 | 0.004 -> 0.000, 4 -> 0 | 0.007 -> 0.000, 11 -> 0 |
+ * With no more fragments than nodes the picture is that of vtkABufferPass. Fragments are inserted in the order of the
+ * list: the last drawn first. The picture depends slightly on that order once nodes are removed; where a driver does
+ * not keep the drawing order, two runs may differ by as much.
  *
- * (400x300; frog and artery 640x360.)
+ * Fragments of equal depth are put one behind the other in the order of the list. Nodes live in registers only:
+ * NodeCount changes no memory.
  *
- * With no more fragments than nodes the picture is that of vtkABufferPass. Fragments are inserted in the order of the list:
- * the last drawn first. The picture depends slightly on that order once nodes are removed; where a driver does not keep the
- * drawing order, two runs may differ by as much. Measured between two random orders of the actors, without AlphaCorrection,
- * root mean square of all channels where 1 is the full range, beside the distance from the exact picture:
+ * The error of a pixel is estimated by the areas that its removals have lost (Eq. 7, with their own widths), summed,
+ * over the distance in window depth between its nearest and its farthest fragment: at least the mean error of
+ * transmittance there, 0 to 1, and 0 with no more fragments than nodes. Show draws it, and Tolerance gives pixels more
+ * nodes until it is small. It is an estimate of the function, whatever AlphaCorrection then makes of it, and ranks
+ * pixels well: with 4 or 8 nodes, its rank correlation with the difference of the uncorrected picture from the exact
+ * one is 0.87 to 0.94 on the frog and on 300 rectangles (with linear depths the same, without the distance no more);
+ * with that of the corrected picture, which is about a tenth of it, 0.76 and 0.78 with 4 nodes, 0.46 and 0.65 with 8.
+ * It is no bound of a colour: surfaces that lie close together have little area between them, and may differ in colour
+ * by all there is. Between coincident ones there is none at all: without a Tolerance, the estimate does not see what
+ * their merging costs.
  *
- * | nodes | 300 rectangles, to 29 deep | 40 spheres, to 50 deep     |
- * | ----- | -------------------------- | -------------------------- |
- * | 8     | 0.0029 (from exact 0.0147) | 0.0017 (from exact 0.0062) |
- * | 16    | 0.0003 (from exact 0.0012) | 0.0002 (from exact 0.0007) |
- * | 32    | 0                          | 0                          |
+ * So a tolerance saves nodes, and registers with them; time it costs, for each step draws anew.
  *
- * Fragments of equal depth are put one behind the other in the order of the list. Nodes live in registers only: NodeCount changes
- * no memory.
- *
- * The error of a pixel is estimated by the areas that its removals have lost (Eq. 7, with their own widths), summed, over the distance in window depth between its nearest
- * and its farthest fragment: at least the mean error of transmittance there, 0 to 1, and 0 with no more fragments than nodes. Show draws it, and
- * Tolerance gives pixels more nodes until it is small. It is an estimate of the function, whatever AlphaCorrection then makes of it, and ranks pixels
- * well: with 4 or 8 nodes, its rank correlation with the difference of the uncorrected picture from the exact one is 0.87 to 0.94 on the frog and on 300
- * rectangles (with linear depths the same, without the distance no more); with that of the corrected picture, which is about a tenth of it, 0.76 and 0.78
- * with 4 nodes, 0.46 and 0.65 with 8. It is no bound of a colour: surfaces that lie close together have little area between them, and may differ in
- * colour by all there is. Between coincident ones there is none at all: without a Tolerance, the estimate does not see what their merging costs.
- *
- * From 4 nodes on, at 400x300 (frog 640x360): mean nodes of a pixel, root mean square and largest of all
- * channels' differences from exact in percent of the full range, time where plain blending is 1 (software rasterizer with two busy cores; exact:
- * 1.2 and 4.1):
- *
- * |               | frog's tissues, to 24 deep | 1200 rectangles, to 73 deep | 300 rectangles, to 24 |
- * | Tolerance     | nodes, RMS, largest, time  | nodes, RMS, largest, time   | nodes, RMS, largest   |
- * | ------------- | -------------------------- | --------------------------- | --------------------- |
- * | 0             | to 4, 0.25, 17, 1.2        | to 4, 1.63, 9, 3.2          | to 4, 0.54, 4         |
- * | 0.03          | 3.7, 0.16, 17, 1.1         | 9.8, 0.42, 4, 5.4           | 5.4, 0.26, 3          |
- * | 0.01          | 4.2, 0.08, 6, 1.2          | 13.8, 0.18, 2, 6.4          | 6.5, 0.14, 2          |
- * | 0.001         | 5.0, 0.03, 2, 1.3          | 24.5, 0.04, 0.4, 8.5        | 8.1, 0.04, 0.4        |
- * | 0.0001        | 5.2, 0.02, 1, 1.2          | 28.7, 0.02, 0.4, 10.4       | 8.3, 0.02, 0.4        |
- * | 0, 64 nodes   | all, 0, 0, 1.3             | all, 0.00, 0.4, 5.2         | all, 0, 0             |
- *
- * So a tolerance saves nodes, and registers with them; time it costs, for each step draws anew. From the default's 16 nodes on, 0.001 costs none
- * on the frog, and 1.6 times as long as without on the 1200 rectangles (0.04 and 0.4 percent from exact instead of 0.16 and 1).
- *
- * In fixed memory (section 4), 6 bytes a node and 24 more (with transmission colours 16 and 52), a pixel and sample, however many fragments there are:
- * 1. Visibility: the geometry is drawn, and each fragment inserted into the function of its pixel, under a critical section.
- * 2. Shading: the geometry is drawn again, and each fragment's colour weighted with its opacity and vis at its depth; blending (see below) sums it
- *    up, and multiplies the total transmittance (16 bytes a pixel and sample), and sums the weights for AlphaCorrection (4 bytes; with transmission
- *    colours there is room for them).
+ * In fixed memory (section 4), 6 bytes a node and 24 more (with transmission colours 16 and 52), a pixel and sample,
+ * however many fragments there are:
+ * 1. Visibility: the geometry is drawn, and each fragment inserted into the function of its pixel, under a critical
+ * section.
+ * 2. Shading: the geometry is drawn again, and each fragment's colour weighted with its opacity and vis at its depth;
+ * blending (see below) sums it up, and multiplies the total transmittance (16 bytes a pixel and sample), and sums the
+ * weights for AlphaCorrection (4 bytes; with transmission colours there is room for them).
  * 3. Composite.
- * Fragments are inserted as they are drawn, the first drawn first. A function is read and written for each fragment, which takes longer than
- * keeping them all, except where they would not fit into the memory there is. Volumes are drawn over the surfaces.
+ * Fragments are inserted as they are drawn, the first drawn first. A function is read and written for each fragment,
+ * which takes longer than keeping them all, except where they would not fit into the memory there is. Volumes are drawn
+ * over the surfaces.
  *
- * Where functions and sums lie: in colours that a fragment fetches, changes and draws again, under the conditions of vtkMultiLayerAlphaBlendingPass, with
- * up to 17 nodes and without transmission colours. Else functions lie in storage buffers under a critical section, and sums are blended. The picture is
- * the same; the software rasterizer takes twice as long for that.
+ * Where functions and sums lie: in colours that a fragment fetches, changes and draws again, under the conditions of
+ * vtkMultiLayerAlphaBlendingPass, with up to 17 nodes and without transmission colours. Else functions lie in storage
+ * buffers under a critical section, and sums are blended. The picture is the same; the software rasterizer takes twice
+ * as long for that.
  */
 #ifndef vtkAdaptiveTransparencyPass_h
 #define vtkAdaptiveTransparencyPass_h
@@ -132,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Whether fragments without nodes weigh by means, the weights of a pixel's fragments are scaled to add up to what they hide, and areas count as a
-   * little wider (see above). On by default; off is the paper (Eq. 2 and 7).
+   * Whether fragments without nodes weigh by means, the weights of a pixel's fragments are scaled to add up to what
+   * they hide, and areas count as a little wider (see above). On by default; off is the paper (Eq. 2 and 7).
    */
   void SetAlphaCorrection(bool correction);
   vtkGetMacro(AlphaCorrection, bool);
@@ -142,10 +123,11 @@ public:
 
   ///@{
   /**
-   * What a pixel's error may be, as its estimate tells (see above), 0 to 1. 0, the default, sets no limit: every pixel has NodeCount nodes. Else
-   * pixels start with NodeCount nodes, and those with a larger estimate are drawn anew with twice as many, up to 64, and then exactly, by sorting
-   * their fragments. The smaller NodeCount is, the fewer nodes most pixels take. Only where Memory is Variable: in fixed memory a pixel can't be
-   * drawn anew. Together with that, or outside its range, a value is an error and changes nothing. Pixels in which fragments coincide and that have
+   * What a pixel's error may be, as its estimate tells (see above), 0 to 1. 0, the default, sets no limit: every pixel
+   * has NodeCount nodes. Else pixels start with NodeCount nodes, and those with a larger estimate are drawn anew with
+   * twice as many, up to 64, and then exactly, by sorting their fragments. The smaller NodeCount is, the fewer nodes
+   * most pixels take. Only where Memory is Variable: in fixed memory a pixel can't be drawn anew. Together with that,
+   * or outside its range, a value is an error and changes nothing. Pixels in which fragments coincide and that have
    * more of them than nodes are drawn exactly.
    */
   void SetTolerance(double tolerance);
@@ -164,10 +146,11 @@ public:
   /**
    * What is drawn where there are translucent fragments:
    * - Picture (the default).
-   * - Error: the estimate of each pixel's error, in greys. Black is 0, white the Tolerance, or DefaultWhite where there is none, and more.
-   * - Nodes: how many nodes each pixel uses, in greys. Black is 0, white 64, or that the pixel is drawn exactly, by sorting.
-   * Both hide the opaque picture, which would look like an error; where there are no translucent fragments it stays, to tell where one is. Another
-   * value is an error and changes nothing.
+   * - Error: the estimate of each pixel's error, in greys. Black is 0, white the Tolerance, or DefaultWhite where there
+   * is none, and more.
+   * - Nodes: how many nodes each pixel uses, in greys. Black is 0, white 64, or that the pixel is drawn exactly, by
+   * sorting. Both hide the opaque picture, which would look like an error; where there are no translucent fragments it
+   * stays, to tell where one is. Another value is an error and changes nothing.
    */
   void SetShow(int show);
   vtkGetMacro(Show, int);

@@ -79,7 +79,8 @@ public:
 
   void Render(const vtkRenderState* state) override
   {
-    // Depth peeling, which stands in where a technique can't run, has a query of its own around this, and there is but one at a time.
+    // Depth peeling, which stands in where a technique can't run, has a query of its own around this, and there is but
+    // one at a time.
     GLint others = 0;
     glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &others);
     const bool counts = this->Wanted && others == 0;
@@ -163,7 +164,8 @@ void vtkAutomaticTransparencyPass::SetNumber(const char* name, double& member, d
 {
   if (vtkTranslucencyOption::SetProperty(this, vtkAutomaticTransparencyPass::GetOptions(), name, member, value))
   {
-    this->Chooser->SetBudget({ this->BudgetMilliseconds, this->BudgetMebibytes, this->Tolerance }); // forgets what was measured
+    this->Chooser->SetBudget(
+      { this->BudgetMilliseconds, this->BudgetMebibytes, this->Tolerance }); // forgets what was measured
   }
 }
 
@@ -206,10 +208,11 @@ std::vector<vtkTranslucencyOption> vtkAutomaticTransparencyPass::GetOptions()
              [this] { return this->GetBudgetMilliseconds(); },
              [this](double value) { this->SetBudgetMilliseconds(value); } },
     { "BudgetMebibytes", "budget_mebibytes", Kind::Real, 0, 0, Any, {},
-      "graphics memory that the pass may take, in MiB; 0 for any",
-      [this] { return this->GetBudgetMebibytes(); }, [this](double value) { this->SetBudgetMebibytes(value); } },
+      "graphics memory that the pass may take, in MiB; 0 for any", [this] { return this->GetBudgetMebibytes(); },
+      [this](double value) { this->SetBudgetMebibytes(value); } },
     { "Tolerance", "tolerance", Kind::Real, 0, 0, 1, {},
-      "an expected error, as a root mean square where 1 is the full range, below which the fastest technique comes first; 0 for the best",
+      "an expected error, as a root mean square where 1 is the full range, below which the fastest technique comes "
+      "first; 0 for the best",
       [this] { return this->GetTolerance(); }, [this](double value) { this->SetTolerance(value); } } };
 }
 
@@ -290,7 +293,8 @@ void vtkAutomaticTransparencyPass::Choose(const vtkRenderState* state)
     this->Delegate = this->NewDelegate(candidate.Name);
   }
   const double budget = this->BudgetMebibytes * MiB;
-  const double limit = this->Chooser->GetBytes(chosen, view) <= budget ? budget - GetBytesOutsideLimit(candidate, view) : 0;
+  const double limit =
+    this->Chooser->GetBytes(chosen, view) <= budget ? budget - GetBytesOutsideLimit(candidate, view) : 0;
   for (const vtkTranslucencyOption& option : this->Delegate->GetOptions())
   {
     if (option.Keyword == "memory_limit")
@@ -309,7 +313,8 @@ void vtkAutomaticTransparencyPass::Observe()
   {
     return; // nothing was drawn by the technique
   }
-  // A technique may draw everything several times. What lists hold is more where samples of a pixel belong to several fragments.
+  // A technique may draw everything several times. What lists hold is more where samples of a pixel belong to several
+  // fragments.
   const double drawn = counted * statistics->GetTiles() / std::max(1, statistics->GetGeometryPasses());
   const auto listed = static_cast<double>(statistics->GetFragments());
   if (listed > 0 && drawn > 0)

@@ -2,36 +2,31 @@
  * @class   vtkAutomaticTransparencyPass
  * @brief   draws by the best of the module's techniques that stays within a budget of time and of graphics memory
  *
- * Before each frame it chooses one of the techniques below, by what the last frames cost, and has that one draw it: the picture is that one's,
- * bit for bit, and GetStatistics() gives its numbers. Only the chosen technique's pass exists; that of the one before is released with all its
- * memory. GetChosen() and GetReason() tell the choice. The rules, and why choices come to rest on a still scene, are in
- * vtkTechniqueChooser.h.
+ * Before each frame it chooses one of the techniques below, by what the last frames cost, and has that one draw it: the
+ * picture is that one's, bit for bit, and GetStatistics() gives its numbers. Only the chosen technique's pass exists;
+ * that of the one before is released with all its memory. GetChosen() and GetReason() tell the choice. The rules, and
+ * why choices come to rest on a still scene, are in vtkTechniqueChooser.h.
  *
- * The candidates, with memory in bytes, per sample where a window has several, and the distance from the exact picture (root mean square of all
- * channels in percent of the full range; at 400x300, by `translucency compare`): the order of quality is that of the mean of the three.
+ * The candidates, the best first, with memory in bytes, per sample where a window has several:
+ * - exact, adaptive:nodes=16: 16 per fragment, 4 per pixel, and 8 per sample in multi-sampled windows
+ * - hybrid:layers=16: 216 per pixel
+ * - adaptive:nodes=8: as exact
+ * - hybrid:layers=8, hybrid:layers=4: 120 and 72 per pixel
+ * - weighted: 20 per pixel
  *
- * | technique         | memory                   | rectangles | spheres | frog  | time |
- * | ----------------- | ------------------------ | ---------- | ------- | ----- | ---- |
- * | exact             | 16 a fragment, 4 a pixel (1) | 0      | 0       | 0     | 1    |
- * | adaptive:nodes=16 | as exact                 | 0.015      | 0.026   | 0.001 | 0.98 |
- * | hybrid:layers=16  | 216 a pixel              | 0.076      | 0.069   | 0.031 | 3.6  |
- * | adaptive:nodes=8  | as exact                 | 0.151      | 0.174   | 0.032 | 1.1  |
- * | hybrid:layers=8   | 120 a pixel              | 0.343      | 0.223   | 0.046 | 1.2  |
- * | hybrid:layers=4   | 72 a pixel               | 1.12       | 0.99    | 0.33  | 0.8  |
- * | weighted          | 20 a pixel               | 3.07       | 5.73    | 3.85  | 0.4  |
+ * The order of quality is that of the mean distance from the exact picture of three scenes (Documentation/Figures.md).
+ * The time that is expected of a candidate, relative to exact, is that of a software rasterizer only until it has drawn
+ * a few frames: on other drivers, one that turns out slower than expected is drawn for that long, and then left.
  *
- * (1) and 8 a sample in multi-sampled windows.
+ * Memory is kept in every frame: the chosen technique gets the budget as its limit (but for weighted, which has none),
+ * and a frame that would pass it is drawn in tiles. That happens where more is drawn than was expected, in the first
+ * frame of all, too: the next one goes by what was counted. If even weighted does not fit, it draws nevertheless. Time
+ * is measured only if there is a budget for it, which waits for the GPU after each stage; either budget has fragments
+ * counted, which waits for it once a frame.
  *
- * The time is that of the rectangles on a software rasterizer, relative to exact. It stands for a candidate only until that has drawn a few
- * frames: on other drivers, one that turns out slower than expected is drawn that long, and then left.
- *
- * Memory is kept in every frame: the chosen technique gets the budget as its limit (but for weighted, which has none), and a frame that
- * would pass it is drawn in tiles. That happens where more is drawn than was expected, in the first frame of all, too: the next one goes by
- * what was counted. If even weighted does not fit, it draws nevertheless. Time is measured only if there is a budget for it, which waits for the
- * GPU after each stage; either budget has fragments counted, which waits for it once a frame.
- *
- * Volumes are divided at surfaces by exact and by adaptive in variable memory only, and drawn over them by the others. CriticalSection holds for
- * the chosen technique. Options of the techniques other than those in the table are at their defaults.
+ * Volumes are divided at surfaces by exact and by adaptive in variable memory only, and drawn over them by the others.
+ * CriticalSection holds for the chosen technique. Options of the techniques other than those in the table are at their
+ * defaults.
  */
 #ifndef vtkAutomaticTransparencyPass_h
 #define vtkAutomaticTransparencyPass_h
@@ -55,8 +50,8 @@ public:
 
   ///@{
   /**
-   * What the translucent stages of a frame may take, in milliseconds; 0 (the default) for any time. Opaque geometry is not counted. A negative
-   * value is an error and changes nothing.
+   * What the translucent stages of a frame may take, in milliseconds; 0 (the default) for any time. Opaque geometry is
+   * not counted. A negative value is an error and changes nothing.
    */
   void SetBudgetMilliseconds(double milliseconds);
   vtkGetMacro(BudgetMilliseconds, double);
@@ -64,8 +59,8 @@ public:
 
   ///@{
   /**
-   * The graphics memory that the pass may take, in MiB; 0 (the default) for any, up to the limits that the techniques have by default. A
-   * negative value is an error and changes nothing.
+   * The graphics memory that the pass may take, in MiB; 0 (the default) for any, up to the limits that the techniques
+   * have by default. A negative value is an error and changes nothing.
    */
   void SetBudgetMebibytes(double mebibytes);
   vtkGetMacro(BudgetMebibytes, double);
@@ -73,17 +68,18 @@ public:
 
   ///@{
   /**
-   * An error that is as good as none, as a root mean square of all channels where 1 is the full range, 0 to 1; 0 by default. Of the candidates
-   * expected to stay below it, the fastest comes first, then the slower ones, then the others by quality. What is expected is the mean of the
-   * table above, not a bound: scenes that are deeper, or of higher contrast, come out worse. Budgets come before it. A value outside is an error
-   * and changes nothing.
+   * An error that is as good as none, as a root mean square of all channels where 1 is the full range, 0 to 1; 0 by
+   * default. Of the candidates expected to stay below it, the fastest comes first, then the slower ones, then the
+   * others by quality. What is expected is the mean of the table above, not a bound: scenes that are deeper, or of
+   * higher contrast, come out worse. Budgets come before it. A value outside is an error and changes nothing.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   /**
-   * The technique that drew the last frame, with its options, as the command writes it: "adaptive:nodes=8". Empty before the first.
+   * The technique that drew the last frame, with its options, as the command writes it: "adaptive:nodes=8". Empty
+   * before the first.
    */
   std::string GetChosen();
 
@@ -120,9 +116,9 @@ private:
   vtkSmartPointer<vtkTranslucencyPass> Delegate; // the chosen one
   std::string Chosen;
   std::string Reason;
-  std::string Device; // that candidates were found for
+  std::string Device;                  // that candidates were found for
   std::vector<vtkTypeUInt64> LastView; // its fingerprint
-  double ListedPerCounted = 1; // fragments in lists, to those of the query
+  double ListedPerCounted = 1;         // fragments in lists, to those of the query
 
   vtkAutomaticTransparencyPass(const vtkAutomaticTransparencyPass&) = delete;
   void operator=(const vtkAutomaticTransparencyPass&) = delete;

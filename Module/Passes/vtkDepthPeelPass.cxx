@@ -77,7 +77,8 @@ vtkImageData* vtkDepthPeelPass::GetKeptLayer(int index)
   const int count = this->GetNumberOfKeptLayers();
   if (index < 0 || index >= count)
   {
-    vtkErrorMacro(<< "the layer is " << index << ", expected one of the " << count << " layers kept, the first of which is 0");
+    vtkErrorMacro(<< "the layer is " << index << ", expected one of the " << count
+                  << " layers kept, the first of which is 0");
     return nullptr;
   }
   return this->Peeling->GetImages()[index];
@@ -88,17 +89,20 @@ std::vector<vtkTranslucencyOption> vtkDepthPeelPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   return { { "Method", "method", Kind::Choice, Dual, 0, 2, { "front-to-back", "dual", "bucket-sort" },
-             "dual takes off the nearest and the farthest layer at once, in half as many drawings of the geometry; bucket-sort up to 32, in far more memory",
+             "dual takes off the nearest and the farthest layer at once, in half as many drawings of the geometry; "
+             "bucket-sort up to 32, in far more memory",
              [this] { return this->GetMethod(); }, [this](double value) { this->SetMethod(static_cast<int>(value)); } },
     { "Layers", "layers", Kind::Integer, 0, 0, vtkPeelingSettings::MostLayers, {},
       "the most layers to peel, with dual half of them from each side; 0 peels until nothing is left",
       [this] { return this->GetLayers(); }, [this](double value) { this->SetLayers(static_cast<int>(value)); } },
     { "Tail", "tail", Kind::Choice, Average, 0, 1, { "drop", "average" },
-      "what is done with fragments that are left after so many layers: nothing, or all are drawn as one layer of their mean colour",
+      "what is done with fragments that are left after so many layers: nothing, or all are drawn as one layer of their "
+      "mean colour",
       [this] { return this->GetTail(); }, [this](double value) { this->SetTail(static_cast<int>(value)); } },
     this->GetCriticalSectionOption(),
     { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
-      "graphics memory for bucket-sort, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's memory, or 2048",
+      "graphics memory for bucket-sort, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's "
+      "memory, or 2048",
       [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
 }
 
@@ -110,7 +114,8 @@ std::string vtkDepthPeelPass::GetMissing(vtkOpenGLRenderWindow* window)
   {
     return missing;
   }
-  return this->Method == BucketSort ? this->GetMissingForCriticalSection(window) : this->GetCapabilities(window).MissingForBuffers;
+  return this->Method == BucketSort ? this->GetMissingForCriticalSection(window)
+                                    : this->GetCapabilities(window).MissingForBuffers;
 }
 
 //------------------------------------------------------------------------------

@@ -129,8 +129,7 @@ std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   vtkTranslucencyOption design{ "StorageDesign", "storage", Kind::Choice, LinkedList, 0, MBuffer, {},
-    "where fragments lie until they are resolved: the picture is the same",
-    [this] { return this->GetStorageDesign(); },
+    "where fragments lie until they are resolved: the picture is the same", [this] { return this->GetStorageDesign(); },
     [this](double value) { this->SetStorageDesign(static_cast<int>(value)); } };
   for (Design choice : vtkStorageDesign::GetAll())
   {
@@ -138,7 +137,8 @@ std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
   }
   std::vector<vtkTranslucencyOption> options{ design,
     { "SectionLength", "section_length", Kind::Integer, 4, 1, vtkSectionStorage::LongestSection, {},
-      "fragments in a section of the t-buffer or m-buffer: longer ones for deeper scenes; the m-buffer's are as long as pixels hold on average, unless "
+      "fragments in a section of the t-buffer or m-buffer: longer ones for deeper scenes; the m-buffer's are as long "
+      "as pixels hold on average, unless "
       "this is given",
       [this] { return this->GetSectionLength(); },
       [this](double value) { this->SetSectionLength(static_cast<int>(value)); } } };
@@ -176,8 +176,8 @@ bool vtkFragmentListPass::RenderStages(vtkTranslucencyFrame& frame)
                     << " has no sections, expected the storage t-buffer or m-buffer");
     this->SectionLengthWarned = true;
   }
-  return frame.Gather(this->Storage) && this->UseLists(frame) && frame.ReserveSampleColors() && this->ResolveLists(frame) &&
-    (!frame.IsLeftTo(LEVEL_EACH_SAMPLE) || this->ResolveEachSample(frame)) &&
+  return frame.Gather(this->Storage) && this->UseLists(frame) && frame.ReserveSampleColors() &&
+    this->ResolveLists(frame) && (!frame.IsLeftTo(LEVEL_EACH_SAMPLE) || this->ResolveEachSample(frame)) &&
     (!frame.IsLeftTo(LEVEL_SAMPLES) || frame.CompositeSamples());
 }
 
@@ -204,8 +204,7 @@ bool vtkFragmentListPass::ResolveShortLists(
     rest.Most = size;
     const int next = 2 * size <= std::min(32, most) ? rest.Level + 1 : longer;
     if (!frame.Resolve("ABuffer/ResolveShort.glsl",
-          { { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "0" },
-            { "LONGER_LEVEL", LevelText(next) },
+          { { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "0" }, { "LONGER_LEVEL", LevelText(next) },
             { "EQUAL_DEPTHS_LEVEL", LevelText(ShortEqualDepths) } },
           rest))
     {

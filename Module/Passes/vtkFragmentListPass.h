@@ -7,8 +7,8 @@
 #ifndef vtkFragmentListPass_h
 #define vtkFragmentListPass_h
 
-#include "vtkFragmentStorage.h" // for Storage
-#include "vtkSmartPointer.h"    // for Storage
+#include "vtkFragmentStorage.h"   // for Storage
+#include "vtkSmartPointer.h"      // for Storage
 #include "vtkTranslucencyFrame.h" // for Squares
 #include "vtkTranslucencyPass.h"
 
@@ -36,8 +36,9 @@ public:
 
   ///@{
   /**
-   * The design of the storage (in the order of vtkStorageDesign): LinkedList (the default), TBuffer, RBuffer or MBuffer. Another design makes a new storage, with the colour format and the
-   * memory limit of the one before. Another value is an error and changes nothing. -1 where SetStorage has given one of none of these designs.
+   * The design of the storage (in the order of vtkStorageDesign): LinkedList (the default), TBuffer, RBuffer or
+   * MBuffer. Another design makes a new storage, with the colour format and the memory limit of the one before. Another
+   * value is an error and changes nothing. -1 where SetStorage has given one of none of these designs.
    */
   void SetStorageDesign(int design);
   int GetStorageDesign();
@@ -45,8 +46,9 @@ public:
 
   ///@{
   /**
-   * How many fragments a section of the T-buffer or the M-buffer holds, 1 to 64; 4 by default, but for the M-buffer, which follows the
-   * scene until this is set. Set for a storage that has no sections, it does nothing, and drawing warns of it. A value out of range is an error and changes nothing.
+   * How many fragments a section of the T-buffer or the M-buffer holds, 1 to 64; 4 by default, but for the M-buffer,
+   * which follows the scene until this is set. Set for a storage that has no sections, it does nothing, and drawing
+   * warns of it. A value out of range is an error and changes nothing.
    */
   void SetSectionLength(int fragments);
   vtkGetMacro(SectionLength, int);
@@ -77,15 +79,14 @@ protected:
   static std::string LevelText(int level);
 
   /**
-   * Draws, exactly and in registers, pixels of few fragments: up to 8, 16 and 32, as far as that is not more than most. Longer
-   * lists are left to a level; rest is that level and the squares that are full of them.
+   * Draws, exactly and in registers, pixels of few fragments: up to 8, 16 and 32, as far as that is not more than most.
+   * Longer lists are left to a level; rest is that level and the squares that are full of them.
    */
-  bool ResolveShortLists(
-    vtkTranslucencyFrame& frame, int most, int longer, vtkTranslucencyFrame::Squares& rest);
+  bool ResolveShortLists(vtkTranslucencyFrame& frame, int most, int longer, vtkTranslucencyFrame::Squares& rest);
 
   /**
-   * Draws, exactly, what earlier resolves have left to ShortEqualDepths and to Long: there is no limit to the fragments of a
-   * pixel, whatever registers and a driver's loops can take. The last resolve of every technique.
+   * Draws, exactly, what earlier resolves have left to ShortEqualDepths and to Long: there is no limit to the fragments
+   * of a pixel, whatever registers and a driver's loops can take. The last resolve of every technique.
    */
   bool ResolveLeftLists(vtkTranslucencyFrame& frame);
 
@@ -95,7 +96,8 @@ protected:
   virtual bool UseLists(vtkTranslucencyFrame& vtkNotUsed(frame)) { return true; }
 
   /**
-   * Draws what the storage holds of the current tile: the resolves of the technique, which see the whole pixel or one sample of it.
+   * Draws what the storage holds of the current tile: the resolves of the technique, which see the whole pixel or one
+   * sample of it.
    */
   virtual bool ResolveLists(vtkTranslucencyFrame& frame) = 0;
 

@@ -2,9 +2,10 @@
  * @class   vtkKBufferPass
  * @brief   the k nearest fragments of a pixel, exactly, and no others
  *
- * Bavoil et al., "Multi-fragment effects on the GPU using the k-buffer" (I3D 2007), with the read-modify-write of a pixel in a critical section
- * instead of races. As vtkMultiLayerAlphaBlendingPass, with Tail Drop by default: exact where no more than Layers surfaces lie behind each other;
- * what lies farther is not drawn. Transmission colours are kept.
+ * Bavoil et al., "Multi-fragment effects on the GPU using the k-buffer" (I3D 2007), with the read-modify-write of a
+ * pixel in a critical section instead of races. As vtkMultiLayerAlphaBlendingPass, with Tail Drop by default: exact
+ * where no more than Layers surfaces lie behind each other; what lies farther is not drawn. Transmission colours are
+ * kept.
  */
 #ifndef vtkKBufferPass_h
 #define vtkKBufferPass_h

@@ -56,7 +56,8 @@ vtkTranslucencyGathering vtkLayerPeeling::GetGathering() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkLayerPeeling::Render(vtkTranslucencyFrame& frame, const vtkPeelingSettings& settings, bool dual, bool keepLayers)
+bool vtkLayerPeeling::Render(
+  vtkTranslucencyFrame& frame, const vtkPeelingSettings& settings, bool dual, bool keepLayers)
 {
   this->Dual = dual;
   const std::vector<int> formats = dual ? std::vector<int>{ 2, 4, 4 } : std::vector<int>{ 1, 4 };

@@ -1,5 +1,6 @@
 /**
- * Peels a layer of each pixel in a drawing of the geometry, or the nearest and the farthest one: FrontToBack and Dual of vtkDepthPeelPass, which tells how.
+ * Peels a layer of each pixel in a drawing of the geometry, or the nearest and the farthest one: FrontToBack and Dual
+ * of vtkDepthPeelPass, which tells how.
  */
 #ifndef vtkLayerPeeling_h
 #define vtkLayerPeeling_h
@@ -27,14 +28,16 @@ public:
   void Release(bool contextAlive);
 
 private:
-  bool Peel(vtkTranslucencyFrame& frame, const vtkPeelingSettings& settings, bool keepLayers, bool& left); // left becomes whether fragments are
+  bool Peel(vtkTranslucencyFrame& frame, const vtkPeelingSettings& settings, bool keepLayers,
+    bool& left); // left becomes whether fragments are
   bool KeepLayer(vtkTranslucencyFrame& frame);
   bool AddTail(vtkTranslucencyFrame& frame);
   vtkTranslucencyShader::Defines GetMethod() const;
   vtkTranslucencyGathering GetGathering() const;
 
   bool Dual = false;
-  vtkTranslucencyTargets Peeled; // by the last drawing: bounds of the next layers (Shaders/Peel/Methods.glsl), front layer, back layer
+  vtkTranslucencyTargets
+    Peeled; // by the last drawing: bounds of the next layers (Shaders/Peel/Methods.glsl), front layer, back layer
   vtkTranslucencyTargets Merged; // bounds of these layers, layers from the front, layers from the back
   std::vector<vtkSmartPointer<vtkImageData>> Images;
 };

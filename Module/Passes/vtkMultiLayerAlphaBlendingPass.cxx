@@ -54,7 +54,8 @@ void vtkMultiLayerAlphaBlendingPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetLayers(int layers)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "Layers", this->Layers, layers);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "Layers", this->Layers, layers);
 }
 
 //------------------------------------------------------------------------------
@@ -66,31 +67,35 @@ void vtkMultiLayerAlphaBlendingPass::SetTail(int tail)
 //------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetColorFormat(int format)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "ColorFormat", this->ColorFormat, format);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "ColorFormat", this->ColorFormat, format);
 }
 
 //------------------------------------------------------------------------------
 void vtkMultiLayerAlphaBlendingPass::SetMemoryLimit(double mebibytes)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "MemoryLimit", this->MemoryLimit, mebibytes);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkMultiLayerAlphaBlendingPass::GetOptions(), "MemoryLimit", this->MemoryLimit, mebibytes);
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkTranslucencyOption> vtkMultiLayerAlphaBlendingPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
-  return { { "Layers", "layers", Kind::Integer, 4, LeastLayers, MostLayers, {},
-             "layers of a pixel", [this] { return this->GetLayers(); },
-             [this](double value) { this->SetLayers(static_cast<int>(value)); } },
+  return { { "Layers", "layers", Kind::Integer, 4, LeastLayers, MostLayers, {}, "layers of a pixel",
+             [this] { return this->GetLayers(); }, [this](double value) { this->SetLayers(static_cast<int>(value)); } },
     { "Tail", "tail", Kind::Choice, static_cast<double>(this->DefaultTail), 0, 2, { "merge", "drop", "average" },
       "what becomes of fragments behind the layers: merged into the last, left out, or averaged behind it",
       [this] { return this->GetTail(); }, [this](double value) { this->SetTail(static_cast<int>(value)); } },
     this->GetCriticalSectionOption(),
     { "ColorFormat", "color_format", Kind::Choice, 0, 0, 1, { "half-float", "rgba8" },
-      "half floats keep colours above 1 and small opacities; rgba8 takes two thirds of the memory, and rounds at each merging",
-      [this] { return this->GetColorFormat(); }, [this](double value) { this->SetColorFormat(static_cast<int>(value)); } },
+      "half floats keep colours above 1 and small opacities; rgba8 takes two thirds of the memory, and rounds at each "
+      "merging",
+      [this] { return this->GetColorFormat(); },
+      [this](double value) { this->SetColorFormat(static_cast<int>(value)); } },
     { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
-      "graphics memory for layers, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's memory, or 2048",
+      "graphics memory for layers, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's "
+      "memory, or 2048",
       [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
 }
 
@@ -104,8 +109,7 @@ std::string vtkMultiLayerAlphaBlendingPass::GetMissing(vtkOpenGLRenderWindow* wi
 //------------------------------------------------------------------------------
 bool vtkMultiLayerAlphaBlendingPass::RenderStages(vtkTranslucencyFrame& frame)
 {
-  const vtkTranslucencyFrame::Defines layers{ { "LAYERS", std::to_string(this->Layers) },
-    { "TAIL", Tails[this->Tail] },
+  const vtkTranslucencyFrame::Defines layers{ { "LAYERS", std::to_string(this->Layers) }, { "TAIL", Tails[this->Tail] },
     { "COLOR_FORMAT", this->ColorFormat == RGBA8 ? "COLOR_FORMAT_RGBA8" : "COLOR_FORMAT_HALF_FLOAT" } };
   const int channels = frame.GetChannels();
   const int words = this->Layers * WordsOfLayer(channels, this->ColorFormat == RGBA8) +

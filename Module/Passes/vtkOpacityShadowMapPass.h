@@ -2,10 +2,11 @@
  * @class   vtkOpacityShadowMapPass
  * @brief   opacity shadow maps: absorbance along a ray on a uniform grid
  *
- * Kim and Neumann 2001, "Opacity shadow maps", used for transparency as Salvi et al. 2011 do (OSMTF and OSMTV): see vtkAbsorbancePass for the
- * stages. The sums are the absorbances of Slices slices of equal depth, 4 * Slices bytes a pixel and sample with fixed memory. Within a slice absorbance
- * is taken to be spread evenly: of two fragments in one slice, the farther one hides the nearer one, too. With the bounds of the fragments, the
- * visibilities of a pixel's first and last one are exact (before the alpha correction): they lie at the ends of the grid.
+ * Kim and Neumann 2001, "Opacity shadow maps", used for transparency as Salvi et al. 2011 do (OSMTF and OSMTV): see
+ * vtkAbsorbancePass for the stages. The sums are the absorbances of Slices slices of equal depth, 4 * Slices bytes a
+ * pixel and sample with fixed memory. Within a slice absorbance is taken to be spread evenly: of two fragments in one
+ * slice, the farther one hides the nearer one, too. With the bounds of the fragments, the visibilities of a pixel's
+ * first and last one are exact (before the alpha correction): they lie at the ends of the grid.
  */
 #ifndef vtkOpacityShadowMapPass_h
 #define vtkOpacityShadowMapPass_h

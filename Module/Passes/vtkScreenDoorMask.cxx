@@ -49,8 +49,8 @@ public:
     return this->Find(true, [this](int a, int b) { return this->Crowd[a] > this->Crowd[b]; });
   }
 
-  /// The empty cell with the fewest filled ones around it. It is also the tightest cluster of empty cells, since filled and empty
-  /// ones together are everywhere alike: that is what the method asks for when more than half is filled.
+  /// The empty cell with the fewest filled ones around it. It is also the tightest cluster of empty cells, since filled
+  /// and empty ones together are everywhere alike: that is what the method asks for when more than half is filled.
   int FindLargestVoid() const
   {
     return this->Find(false, [this](int a, int b) { return this->Crowd[a] < this->Crowd[b]; });
@@ -77,7 +77,8 @@ private:
   std::vector<double> Kernel; // each row twice, so that it need not be wrapped around
 };
 
-/// A tenth of the cells, scattered at random and then moved apart until the tightest cluster lies where the largest void would be.
+/// A tenth of the cells, scattered at random and then moved apart until the tightest cluster lies where the largest
+/// void would be.
 Pattern Scatter(int size, int count)
 {
   Pattern pattern(size);

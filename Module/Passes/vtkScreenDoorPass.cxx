@@ -46,8 +46,8 @@ std::vector<vtkTranslucencyOption> vtkScreenDoorPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   return { { "Mask", "mask", Kind::Choice, BlueNoise, 0, 2, { "ordered-4x4", "ordered-8x8", "blue-noise" },
-             "thresholds: regular patterns of 16 or 64 pixels, or 4096 without a pattern", [this] { return this->GetMask(); },
-             [this](double value) { this->SetMask(static_cast<int>(value)); } },
+             "thresholds: regular patterns of 16 or 64 pixels, or 4096 without a pattern",
+             [this] { return this->GetMask(); }, [this](double value) { this->SetMask(static_cast<int>(value)); } },
     { "Offset", "offset", Kind::Choice, ObjectOffset, 0, 2, { "none", "object", "primitive" },
       "what has its holes in places of its own: nothing, each object's front and back faces, or each primitive",
       [this] { return this->GetOffset(); }, [this](double value) { this->SetOffset(static_cast<int>(value)); } } };
@@ -59,7 +59,8 @@ bool vtkScreenDoorPass::RenderStages(vtkTranslucencyFrame& frame)
   const int size = Sizes[this->Mask];
   if (this->MadeMask != this->Mask)
   {
-    this->MadeRanks = this->Mask == BlueNoise ? vtkScreenDoorMask::MakeBlueNoise(size) : vtkScreenDoorMask::MakeOrdered(size);
+    this->MadeRanks =
+      this->Mask == BlueNoise ? vtkScreenDoorMask::MakeBlueNoise(size) : vtkScreenDoorMask::MakeOrdered(size);
     this->MadeMask = this->Mask;
   }
   vtkTranslucencyFrame::Stage nearest;

@@ -90,7 +90,8 @@ vtkActor* vtkSortedActors::Sort(vtkProp* prop, vtkCamera* camera, bool nearestFi
   sorted.Filter->SetVector(direction); // sorts anew only if it has changed
   if (sorted.Copied < mapper->GetMTime())
   {
-    sorted.Mapper->vtkPolyDataMapper::ShallowCopy(mapper); // its OpenGL override warns of properties that it copies itself
+    sorted.Mapper->vtkPolyDataMapper::ShallowCopy(
+      mapper); // its OpenGL override warns of properties that it copies itself
     sorted.Mapper->StaticOff();
     sorted.Filter->SetInputConnection(mapper->GetInputConnection(0, 0));
     sorted.Mapper->SetInputConnection(sorted.Filter->GetOutputPort());

@@ -1,6 +1,7 @@
 /**
- * Stand-ins for actors, with the polygons of their data sorted along the view. The actors, their mappers and their data are left as they are,
- * and so keep their shaders and buffers; what is sorted is kept until the view's direction, the data or the transformation changes.
+ * Stand-ins for actors, with the polygons of their data sorted along the view. The actors, their mappers and their data
+ * are left as they are, and so keep their shaders and buffers; what is sorted is kept until the view's direction, the
+ * data or the transformation changes.
  */
 #ifndef vtkSortedActors_h
 #define vtkSortedActors_h

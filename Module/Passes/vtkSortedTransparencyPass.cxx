@@ -89,7 +89,8 @@ std::vector<vtkTranslucencyOption> vtkSortedTransparencyPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   return { { "Order", "order", Kind::Choice, Object, 0, 2, { "object", "centroid", "backface" },
-             "what is sorted: whole objects, the polygons of each as well, or objects with the back faces of each before its front faces",
+             "what is sorted: whole objects, the polygons of each as well, or objects with the back faces of each "
+             "before its front faces",
              [this] { return this->GetOrder(); }, [this](double value) { this->SetOrder(static_cast<int>(value)); } },
     { "Operator", "operator", Kind::Choice, Over, 0, 1, { "over", "under" },
       "over blends back to front into the window, under front to back into floats, which are rounded once",
@@ -128,7 +129,8 @@ std::vector<vtkTranslucencyFrame::Part> vtkSortedTransparencyPass::SortParts(con
       unsorted.insert(obstacle);
     }
     const bool sorts = this->Order == Centroid && obstacle.empty();
-    parts.push_back({ sorts ? this->Actors->Sort(prop, camera, this->Operator == Under) : prop, static_cast<int>(Faces::All) });
+    parts.push_back(
+      { sorts ? this->Actors->Sort(prop, camera, this->Operator == Under) : prop, static_cast<int>(Faces::All) });
   }
   this->Actors->ForgetUnused();
   this->WarnOf(unsorted);
@@ -146,7 +148,8 @@ void vtkSortedTransparencyPass::WarnOf(const std::set<std::string>& unsorted)
   }
   if (!names.empty() && names != this->Unsorted)
   {
-    vtkWarningMacro(<< "the polygons of " << names << " are not sorted, only the objects: expected actors with a vtkPolyDataMapper");
+    vtkWarningMacro(<< "the polygons of " << names
+                    << " are not sorted, only the objects: expected actors with a vtkPolyDataMapper");
   }
   this->Unsorted = names;
 }
@@ -155,7 +158,8 @@ void vtkSortedTransparencyPass::WarnOf(const std::set<std::string>& unsorted)
 bool vtkSortedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   const int targets = this->Operator == Under ? frame.GetChannels() : 1;
-  const vtkTranslucencyFrame::Gathering gathering{ "Sorted/Gather.glsl", { { "SORTED_TARGETS", std::to_string(targets) } }, targets };
+  const vtkTranslucencyFrame::Gathering gathering{ "Sorted/Gather.glsl",
+    { { "SORTED_TARGETS", std::to_string(targets) } }, targets };
   vtkTranslucencyFrame::Stage layers;
   layers.Parts = this->SortParts(frame);
   if (this->Operator == Over)
@@ -170,10 +174,12 @@ bool vtkSortedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
   std::vector<vtkTranslucencyFrame::Input> inputs{ { "sortedLayers", &this->Layers, 0 } };
   if (targets == 3)
   {
-    inputs = { { "sortedRed", &this->Layers, 0 }, { "sortedGreen", &this->Layers, 1 }, { "sortedBlue", &this->Layers, 2 } };
+    inputs = { { "sortedRed", &this->Layers, 0 }, { "sortedGreen", &this->Layers, 1 },
+      { "sortedBlue", &this->Layers, 2 } };
   }
   const std::vector<int> formats(inputs.size(), 4);
-  return frame.UseTargets(this->Layers, formats) && frame.Draw(gathering, layers) && frame.Composite("Sorted/Resolve.glsl", {}, inputs);
+  return frame.UseTargets(this->Layers, formats) && frame.Draw(gathering, layers) &&
+    frame.Composite("Sorted/Resolve.glsl", {}, inputs);
 }
 
 //------------------------------------------------------------------------------

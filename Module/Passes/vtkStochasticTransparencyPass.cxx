@@ -20,7 +20,8 @@ constexpr int BufferSamples = 4;
 constexpr int MostFrames = 65536; // single precision has room for the sums of more
 constexpr int RowPatterns = 64;   // a multiple of 4 and a power of two
 
-// The table of Stochastic/Mask.glsl: row n holds patterns of n set bits, the first n of random permutations of the samples.
+// The table of Stochastic/Mask.glsl: row n holds patterns of n set bits, the first n of random permutations of the
+// samples.
 std::vector<unsigned int> MakePatterns(int samples)
 {
   std::vector<unsigned int> patterns((samples + 1) * RowPatterns, 0);
@@ -33,8 +34,7 @@ std::vector<unsigned int> MakePatterns(int samples)
     {
       const int left = samples - count + 1;
       std::swap(order[count - 1], order[count - 1 + static_cast<int>(random() % left)]);
-      patterns[count * RowPatterns + column] =
-        patterns[(count - 1) * RowPatterns + column] | 1u << order[count - 1];
+      patterns[count * RowPatterns + column] = patterns[(count - 1) * RowPatterns + column] | 1u << order[count - 1];
     }
   }
   return patterns;
@@ -64,11 +64,13 @@ void vtkStochasticTransparencyPass::SetDepthSamples(int samples)
   const int step = samples > MostSamplesOfRound ? 2 * BufferSamples : BufferSamples;
   if (samples < LeastSamples || samples > MostSamples || samples % step != 0)
   {
-    vtkErrorMacro(<< "DepthSamples is " << samples << ", expected a multiple of " << BufferSamples << " in " << LeastSamples << " to "
-                  << MostSamplesOfRound << ", or of " << 2 * BufferSamples << " up to " << MostSamples);
+    vtkErrorMacro(<< "DepthSamples is " << samples << ", expected a multiple of " << BufferSamples << " in "
+                  << LeastSamples << " to " << MostSamplesOfRound << ", or of " << 2 * BufferSamples << " up to "
+                  << MostSamples);
     return;
   }
-  vtkTranslucencyOption::SetProperty(this, vtkStochasticTransparencyPass::GetOptions(), "DepthSamples", this->DepthSamples, samples);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkStochasticTransparencyPass::GetOptions(), "DepthSamples", this->DepthSamples, samples);
 }
 
 //------------------------------------------------------------------------------
@@ -80,13 +82,15 @@ void vtkStochasticTransparencyPass::SetSeed(int seed)
 //------------------------------------------------------------------------------
 void vtkStochasticTransparencyPass::SetAlphaCorrection(bool correction)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkStochasticTransparencyPass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkStochasticTransparencyPass::GetOptions(), "AlphaCorrection", this->AlphaCorrection, correction);
 }
 
 //------------------------------------------------------------------------------
 void vtkStochasticTransparencyPass::SetAccumulate(int frames)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkStochasticTransparencyPass::GetOptions(), "Accumulate", this->Accumulate, frames);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkStochasticTransparencyPass::GetOptions(), "Accumulate", this->Accumulate, frames);
 }
 
 //------------------------------------------------------------------------------
@@ -97,12 +101,11 @@ std::vector<vtkTranslucencyOption> vtkStochasticTransparencyPass::GetOptions()
              "depth samples of a pixel, a multiple of 4, above 32 of 8: more mean less noise, and more time and memory",
              [this] { return this->GetDepthSamples(); },
              [this](double value) { this->SetDepthSamples(static_cast<int>(value)); } },
-    { "Seed", "seed", Kind::Integer, 0, 0, VTK_INT_MAX, {}, "which random numbers are taken", [this] { return this->GetSeed(); },
-      [this](double value) { this->SetSeed(static_cast<int>(value)); } },
+    { "Seed", "seed", Kind::Integer, 0, 0, VTK_INT_MAX, {}, "which random numbers are taken",
+      [this] { return this->GetSeed(); }, [this](double value) { this->SetSeed(static_cast<int>(value)); } },
     { "AlphaCorrection", "alpha_correction", Kind::Choice, 1, 0, 1, { "off", "on" },
       "whether colours are scaled to the pixel's exact opacity: much less noise; off, each frame is right on average",
-      [this] { return this->GetAlphaCorrection(); },
-      [this](double value) { this->SetAlphaCorrection(value != 0); } },
+      [this] { return this->GetAlphaCorrection(); }, [this](double value) { this->SetAlphaCorrection(value != 0); } },
     { "Accumulate", "accumulate", Kind::Integer, 1, 1, MostFrames, {},
       "frames over which a still view is refined; 1 means that each frame stands for itself",
       [this] { return this->GetAccumulate(); },
@@ -193,7 +196,8 @@ bool vtkStochasticTransparencyPass::DrawRound(vtkTranslucencyFrame& frame, int r
   depths.Blend = vtkTranslucencyFrame::Blending::Minimum;
   depths.Clear = { { 1, 1, 1, 1 } };
   // Frames take seeds that follow each other, and rounds what lies between.
-  const unsigned int seed = 2u * (static_cast<unsigned int>(this->Seed) + static_cast<unsigned int>(this->AccumulatedFrames)) +
+  const unsigned int seed =
+    2u * (static_cast<unsigned int>(this->Seed) + static_cast<unsigned int>(this->AccumulatedFrames)) +
     static_cast<unsigned int>(round);
   depths.Values = { { "stochasticSeed", static_cast<int>(seed) } };
 
@@ -208,7 +212,8 @@ bool vtkStochasticTransparencyPass::DrawRound(vtkTranslucencyFrame& frame, int r
   {
     const std::string sampler = "stochasticDepths[" + std::to_string(i) + "]";
     sums.Inputs.push_back({ sampler, &this->Depths, i });
-    depths.Inputs.push_back({ sampler, &this->Sums, 0 }); // not read, but a sampler has to be bound to something of its type
+    depths.Inputs.push_back(
+      { sampler, &this->Sums, 0 }); // not read, but a sampler has to be bound to something of its type
   }
   return frame.Draw(gathering, depths) && frame.Draw(gathering, sums);
 }

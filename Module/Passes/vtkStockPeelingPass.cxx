@@ -20,7 +20,8 @@ void vtkStockPeelingPass::Render(const vtkRenderState* state)
     if (!this->Refused)
     {
       vtkErrorMacro(<< "VTK's depth peeling can't draw in a window of " << samples
-                    << " samples a pixel, expected 0 (vtkRenderWindow::SetMultiSamples); drawing by blending, in drawing order, instead");
+                    << " samples a pixel, expected 0 (vtkRenderWindow::SetMultiSamples); drawing by blending, in "
+                       "drawing order, instead");
     }
     this->Refused = true;
     this->NumberOfRenderedProps = 0;

@@ -220,7 +220,8 @@ void vtkTechniqueChooser::Start()
     {
       this->Take(candidate);
       const bool good = this->Candidates[candidate].Error <= this->Limits.Tolerance && this->Limits.Tolerance > 0;
-      this->Reason = (good ? "the fastest within the tolerance of " + Text(this->Limits.Tolerance, "RMSE") : "the best") +
+      this->Reason =
+        (good ? "the fastest within the tolerance of " + Text(this->Limits.Tolerance, "RMSE") : "the best") +
         " that may fit: " + this->Expect(candidate);
       return;
     }

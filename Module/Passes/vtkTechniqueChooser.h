@@ -1,19 +1,21 @@
 /**
- * Which of several techniques draws the next frame, by budgets and by what the last frames cost. Knows neither OpenGL nor the techniques: it is
- * given their costs in closed form, and measured ones after each frame.
+ * Which of several techniques draws the next frame, by budgets and by what the last frames cost. Knows neither OpenGL
+ * nor the techniques: it is given their costs in closed form, and measured ones after each frame.
  *
- * Candidates have an order: those within the tolerance, the fastest first; then the others, the best first. The first frame takes the first one
- * that is expected to fit. From then on, before each frame:
- * - Down: if the chosen one took more memory than the budget, or tiles to stay within it, or if the median of its last MedianFrames times is over
- *   budget, it is refused. The first other one that is expected to fit takes its place; if none is, the first of those that fit
- *   into memory and are hardly slower than the fastest; if nothing fits into memory, the smallest.
+ * Candidates have an order: those within the tolerance, the fastest first; then the others, the best first. The first
+ * frame takes the first one that is expected to fit. From then on, before each frame:
+ * - Down: if the chosen one took more memory than the budget, or tiles to stay within it, or if the median of its last
+ * MedianFrames times is over budget, it is refused. The first other one that is expected to fit takes its place; if
+ * none is, the first of those that fit into memory and are hardly slower than the fastest; if nothing fits into memory,
+ * the smallest.
  * - Up: an earlier one that was not refused is taken if it is expected to stay below Margin times the budgets.
- * Refusals last until the scene or the view changes. Of the times that were measured, the latest of each candidate are kept, and expected in
- * proportion to the fragments: what was too slow in the frame before is not tried again only because the camera moves.
+ * Refusals last until the scene or the view changes. Of the times that were measured, the latest of each candidate are
+ * kept, and expected in proportion to the fragments: what was too slow in the frame before is not tried again only
+ * because the camera moves.
  *
- * On a still scene the choices become constant: a step up goes to a candidate that was not refused, and each step down refuses one. Between two
- * refusals there are at most as many steps up as candidates, and of refusals there are no more than candidates. A step to one that was refused
- * already, where nothing fits, is the last.
+ * On a still scene the choices become constant: a step up goes to a candidate that was not refused, and each step down
+ * refuses one. Between two refusals there are at most as many steps up as candidates, and of refusals there are no more
+ * than candidates. A step to one that was refused already, where nothing fits, is the last.
  */
 #ifndef vtkTechniqueChooser_h
 #define vtkTechniqueChooser_h
@@ -28,12 +30,12 @@ public:
   struct Candidate
   {
     std::string Name;
-    double Error;            ///< expected, root mean square of all channels where 1 is the full range
-    double RelativeTime;     ///< of a frame, to that of the other candidates: while nothing was measured
+    double Error;        ///< expected, root mean square of all channels where 1 is the full range
+    double RelativeTime; ///< of a frame, to that of the other candidates: while nothing was measured
     double BytesPerFragment;
     double BytesPerPixel;
-    double BytesPerSample;   ///< of a pixel
-    double BytesOfSamples;   ///< the same, only where a pixel has several
+    double BytesPerSample; ///< of a pixel
+    double BytesOfSamples; ///< the same, only where a pixel has several
   };
 
   /// 0 for any: no budget, or no error that would be as good as none.
@@ -64,7 +66,8 @@ public:
 
   static constexpr int MedianFrames = 5;
 
-  /// A list fills up to half as much memory again as its fragments need while the view moves: less would be left again at once.
+  /// A list fills up to half as much memory again as its fragments need while the view moves: less would be left again
+  /// at once.
   static constexpr double Margin = 0.7;
 
   explicit vtkTechniqueChooser(const std::vector<Candidate>& candidates);
@@ -120,7 +123,7 @@ private:
   std::string Reason;
   View Seen;
   Cost Last;
-  double Fragments = -1; // of the last frame; negative if there was none
+  double Fragments = -1;    // of the last frame; negative if there was none
   std::deque<double> Times; // the last of the chosen one
   std::vector<Measured> Measurements;
   std::vector<Refusal> Refused;

@@ -2,27 +2,26 @@
 
 #include "vtkABufferPass.h"
 #include "vtkAdaptiveTransparencyPass.h"
+#include "vtkAdditiveTransparencyPass.h"
+#include "vtkAutomaticTransparencyPass.h"
+#include "vtkDepthPeelPass.h"
+#include "vtkFourierOpacityPass.h"
 #include "vtkHybridTransparencyPass.h"
 #include "vtkKBufferPass.h"
-#include "vtkAdditiveTransparencyPass.h"
-#include "vtkDepthPeelPass.h"
-#include "vtkAutomaticTransparencyPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
+#include "vtkOpacityShadowMapPass.h"
 #include "vtkScreenDoorPass.h"
 #include "vtkSortedTransparencyPass.h"
 #include "vtkStochasticTransparencyPass.h"
-#include "vtkFourierOpacityPass.h"
-#include "vtkMultiLayerAlphaBlendingPass.h"
-#include "vtkOpacityShadowMapPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
-#include "vtkStockPeelingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkStockPeelingPass.h"
 #include "vtkTranslucencyChain.h"
 #include "vtkTranslucentPass.h"
 
@@ -87,7 +86,8 @@ const Technique Techniques[] = {
     NewPass<vtkTranslucentPass> },
   { "vtk-oit", "VTK's order-independent pass: a weighted average, fast and approximate",
     NewOrderIndependentTranslucent },
-  { "vtk-peel", "VTK's dual depth peeling, to the last layer but where opaque surfaces lie behind everything", NewDualDepthPeeling },
+  { "vtk-peel", "VTK's dual depth peeling, to the last layer but where opaque surfaces lie behind everything",
+    NewDualDepthPeeling },
 };
 
 constexpr int TechniqueCount = static_cast<int>(sizeof(Techniques) / sizeof(Techniques[0]));
@@ -173,8 +173,7 @@ void vtkTranslucencyFactory::Disable(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTranslucencyFactory::GetMissing(
-  const std::string& name, vtkOpenGLRenderWindow* window)
+std::string vtkTranslucencyFactory::GetMissing(const std::string& name, vtkOpenGLRenderWindow* window)
 {
   const auto pass = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
   auto* own = vtkTranslucencyPass::SafeDownCast(pass);

@@ -2,9 +2,9 @@
  * @class   vtkTranslucencyFactory
  * @brief   the techniques by name
  *
- * Every user interface (Python, the command, ParaView) finds the techniques here: this module's own, by the names of the
- * field, and VTK's for comparison: "blend" (unsorted blending), "vtk-peel" (dual depth peeling), "vtk-oit" (VTK's weighted
- * pass). A technique is added by one row of the table in vtkTranslucencyFactory.cxx.
+ * Every user interface (Python, the command, ParaView) finds the techniques here: this module's own, by the names of
+ * the field, and VTK's for comparison: "blend" (unsorted blending), "vtk-peel" (dual depth peeling), "vtk-oit" (VTK's
+ * weighted pass). A technique is added by one row of the table in vtkTranslucencyFactory.cxx.
  */
 #ifndef vtkTranslucencyFactory_h
 #define vtkTranslucencyFactory_h
@@ -42,26 +42,29 @@ public:
 
   ///@{
   /**
-   * Makes the renderer draw with the technique, beside everything else that it does: its effects (UseFXAA, UseSSAO, UseShadows, UseHiddenLineRemoval) stay
-   * as they are, and in a pass that it has, or a chain of them, the technique takes the place of what draws translucent props there. Both may change
-   * afterwards, in any order: before each frame the technique is put into the pass that the renderer has by then, a null one included. A pass in which there
-   * is no place for it that is known is replaced here, and left alone if it is set afterwards, with a warning that names it. On a
-   * renderer that has a technique, that one is exchanged and nothing else.
+   * Makes the renderer draw with the technique, beside everything else that it does: its effects (UseFXAA, UseSSAO,
+   * UseShadows, UseHiddenLineRemoval) stay as they are, and in a pass that it has, or a chain of them, the technique
+   * takes the place of what draws translucent props there. Both may change afterwards, in any order: before each frame
+   * the technique is put into the pass that the renderer has by then, a null one included. A pass in which there is no
+   * place for it that is known is replaced here, and left alone if it is set afterwards, with a warning that names it.
+   * On a renderer that has a technique, that one is exchanged and nothing else.
    *
-   * Returns the technique's pass, owned by the renderer, for its options; null, after an error, if there is none of that name. One that was made before,
-   * with its options, can be given instead.
+   * Returns the technique's pass, owned by the renderer, for its options; null, after an error, if there is none of
+   * that name. One that was made before, with its options, can be given instead.
    */
   static vtkRenderPass* Enable(vtkRenderer* renderer, const std::string& name);
   static void Enable(vtkRenderer* renderer, vtkRenderPass* technique);
   ///@}
 
   /**
-   * Takes the technique out again: the renderer and its passes are as they would be without. Does nothing where there is none.
+   * Takes the technique out again: the renderer and its passes are as they would be without. Does nothing where there
+   * is none.
    */
   static void Disable(vtkRenderer* renderer);
 
   /**
-   * Empty if the driver behind the window can run the technique, else what is missing. The window must have rendered once.
+   * Empty if the driver behind the window can run the technique, else what is missing. The window must have rendered
+   * once.
    */
   static std::string GetMissing(const std::string& name, vtkOpenGLRenderWindow* window);
 

@@ -29,7 +29,8 @@ void vtkVisibilityFunctionPass::SetMemory(int memory)
 vtkTranslucencyOption vtkVisibilityFunctionPass::GetMemoryOption()
 {
   return { "Memory", "memory", vtkTranslucencyOption::Kind::Choice, Variable, 0, 1, { "variable", "fixed" },
-    "variable draws the geometry once and keeps all fragments; fixed takes the same memory for any number of them, and draws the geometry again",
+    "variable draws the geometry once and keeps all fragments; fixed takes the same memory for any number of them, and "
+    "draws the geometry again",
     [this] { return this->GetMemory(); }, [this](double value) { this->SetMemory(static_cast<int>(value)); } };
 }
 
@@ -64,7 +65,8 @@ void vtkVisibilityFunctionPass::WarnOfUnusedOptions()
   }
   if (!unused.empty() && unused != this->UnusedOptions)
   {
-    vtkWarningMacro(<< unused << ", but Memory is Fixed (1), which keeps no fragments: expected Variable (0), or the default");
+    vtkWarningMacro(<< unused
+                    << ", but Memory is Fixed (1), which keeps no fragments: expected Variable (0), or the default");
   }
   this->UnusedOptions = unused;
 }

@@ -2,9 +2,9 @@
  * @class   vtkVisibilityFunctionPass
  * @brief   a technique that weights each fragment by its pixel's visibility function
  *
- * What the techniques share that describe vis(z), the transmittance between the viewer and depth z, in bounded room and sum the fragments by it
- * (Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency", Eq. 2). There are two ways to know the function before the first fragment is
- * weighted: to keep the fragments, or to draw them again.
+ * What the techniques share that describe vis(z), the transmittance between the viewer and depth z, in bounded room and
+ * sum the fragments by it (Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency", Eq. 2). There are two ways to know
+ * the function before the first fragment is weighted: to keep the fragments, or to draw them again.
  */
 #ifndef vtkVisibilityFunctionPass_h
 #define vtkVisibilityFunctionPass_h
@@ -28,10 +28,10 @@ public:
 
   ///@{
   /**
-   * Variable (the default): all fragments are kept, in the storage, and resolved in the end. Fixed: nothing is kept of a fragment but what it
-   * does to the functions and the colours, and the geometry is drawn twice or more often: options of the storage then do nothing
-   * (UsesInFixedMemory names exceptions), and drawing warns of those that are not at their defaults. What the other one holds is released.
-   * Another value is an error and changes nothing.
+   * Variable (the default): all fragments are kept, in the storage, and resolved in the end. Fixed: nothing is kept of
+   * a fragment but what it does to the functions and the colours, and the geometry is drawn twice or more often:
+   * options of the storage then do nothing (UsesInFixedMemory names exceptions), and drawing warns of those that are
+   * not at their defaults. What the other one holds is released. Another value is an error and changes nothing.
    */
   virtual void SetMemory(int memory);
   vtkGetMacro(Memory, int);

@@ -40,19 +40,22 @@ void vtkWeightedTransparencyPass::SetMethod(int method)
 //------------------------------------------------------------------------------
 void vtkWeightedTransparencyPass::SetWeightFunction(int function)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkWeightedTransparencyPass::GetOptions(), "WeightFunction", this->WeightFunction, function);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkWeightedTransparencyPass::GetOptions(), "WeightFunction", this->WeightFunction, function);
 }
 
 //------------------------------------------------------------------------------
 void vtkWeightedTransparencyPass::SetDepthNear(double distance)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkWeightedTransparencyPass::GetOptions(), "DepthNear", this->DepthNear, distance);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkWeightedTransparencyPass::GetOptions(), "DepthNear", this->DepthNear, distance);
 }
 
 //------------------------------------------------------------------------------
 void vtkWeightedTransparencyPass::SetDepthFar(double distance)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkWeightedTransparencyPass::GetOptions(), "DepthFar", this->DepthFar, distance);
+  vtkTranslucencyOption::SetProperty(
+    this, vtkWeightedTransparencyPass::GetOptions(), "DepthFar", this->DepthFar, distance);
 }
 
 //------------------------------------------------------------------------------
@@ -60,10 +63,10 @@ std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
   constexpr double nearest = 1e-6;
-  return { { "Method", "method", Kind::Choice, Blended, 0, 2, { "sum", "average", "blended" },
-             "sum and average don't look at depth; blended gives near fragments more weight, and what shows through is exact",
-             [this] { return this->GetMethod(); },
-             [this](double value) { this->SetMethod(static_cast<int>(value)); } },
+  return {
+    { "Method", "method", Kind::Choice, Blended, 0, 2, { "sum", "average", "blended" },
+      "sum and average don't look at depth; blended gives near fragments more weight, and what shows through is exact",
+      [this] { return this->GetMethod(); }, [this](double value) { this->SetMethod(static_cast<int>(value)); } },
     { "WeightFunction", "weight_function", Kind::Choice, Equation10, 0, 3,
       { "equation7", "equation8", "equation9", "equation10" },
       "how the weight falls with depth if the method is blended, as numbered by McGuire and Bavoil (2013)",
@@ -74,7 +77,8 @@ std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
       [this](double value) { this->SetDepthNear(value); } },
     { "DepthFar", "depth_far", Kind::Real, 500, nearest, Farthest, {},
       "distance that equations 7 to 9 take the far plane for", [this] { return this->GetDepthFar(); },
-      [this](double value) { this->SetDepthFar(value); } } };
+      [this](double value) { this->SetDepthFar(value); } }
+  };
 }
 
 //------------------------------------------------------------------------------

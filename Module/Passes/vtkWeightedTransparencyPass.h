@@ -2,21 +2,22 @@
  * @class   vtkWeightedTransparencyPass
  * @brief   weighted sum, weighted average and weighted blended transparency
  *
- * Sums over the fragments of a pixel in which their order does not matter, in one drawing of the geometry: fast, of bounded memory, the same
- * on every driver, and only as right as the weights. The methods:
+ * Sums over the fragments of a pixel in which their order does not matter, in one drawing of the geometry: fast, of
+ * bounded memory, the same on every driver, and only as right as the weights. The methods:
  * - Sum: Meshkin, "Sort-independent alpha blending" (GDC 2007). Dark where opacities add up to more than 1.
- * - Average: Bavoil and Myers, "Order independent transparency with dual depth peeling" (NVIDIA 2008). Exact for one layer, and for any number
- *   of layers of equal colour and opacity.
- * - Blended (the default): McGuire and Bavoil, "Weighted blended order-independent transparency" (JCGT 2013), Eq. 6. What shows through
- *   is exact; of colours, near ones count more.
+ * - Average: Bavoil and Myers, "Order independent transparency with dual depth peeling" (NVIDIA 2008). Exact for one
+ * layer, and for any number of layers of equal colour and opacity.
+ * - Blended (the default): McGuire and Bavoil, "Weighted blended order-independent transparency" (JCGT 2013), Eq. 6.
+ * What shows through is exact; of colours, near ones count more.
  *
- * Transmission colours are kept: red, green and blue have opacities, and so weights, of their own. Where all fragments hide next to nothing of a
- * channel, their light adds up; Blended adds the sum of opacities times the weighted mean of their colours, which is what its equation tends to.
+ * Transmission colours are kept: red, green and blue have opacities, and so weights, of their own. Where all fragments
+ * hide next to nothing of a channel, their light adds up; Blended adds the sum of opacities times the weighted mean of
+ * their colours, which is what its equation tends to.
  *
  * Stages:
- * 1. Gather: blending adds to a buffer of opacity-weighted colour and the sum of opacities or weights (16 bytes a pixel and sample). Average counts
- *    fragments besides, and Blended multiplies for the product of 1 - opacity (4 bytes). With transmission colours they take 32 bytes, and 48 if the
- *    method is Blended.
+ * 1. Gather: blending adds to a buffer of opacity-weighted colour and the sum of opacities or weights (16 bytes a pixel
+ * and sample). Average counts fragments besides, and Blended multiplies for the product of 1 - opacity (4 bytes). With
+ * transmission colours they take 32 bytes, and 48 if the method is Blended.
  * 2. Composite: the sums become a colour.
  */
 #ifndef vtkWeightedTransparencyPass_h
@@ -57,17 +58,9 @@ public:
 
   ///@{
   /**
-   * How the weight falls with depth if Method is Blended: the equation of the 2013 paper. Equations 7, 8 and 9 take the distance; 10 (the
-   * default) takes the depth in the window and falls evenly. Of the four it takes the least time, and is near the best, 480x270, root mean square
-   * difference from the exact picture in percent of the full range:
-   *
-   * | equation         | frog | carotid artery | 300 rectangles | 40 spheres |
-   * | ---------------- | ---- | -------------- | -------------- | ---------- |
-   * | 7                | 3.8  | 4.0            | 2.7            | 5.0        |
-   * | 8                | 3.8  | 4.0            | 3.1            | 5.0        |
-   * | 9                | 3.1  | 3.7            | 3.8            | 3.4        |
-   * | 10               | 3.2  | 3.7            | 1.7            | 3.7        |
-   * | (Method Average) | 3.8  | 4.0            | 3.2            | 5.0        |
+   * How the weight falls with depth if Method is Blended: the equation of the 2013 paper. Equations 7, 8 and 9 take the
+   * distance; 10 (the default) takes the depth in the window and falls evenly. Of the four it takes the least time, and
+   * is near the best (Documentation/Figures.md).
    *
    * Another value is an error and changes nothing.
    */
@@ -77,8 +70,9 @@ public:
 
   ///@{
   /**
-   * The distances to which the near and the far clipping plane are mapped for equations 7 to 9, which were made for 0.1 to 500 (the
-   * defaults): a smaller range weights near and far more alike. A value that is not positive is an error and changes nothing.
+   * The distances to which the near and the far clipping plane are mapped for equations 7 to 9, which were made for 0.1
+   * to 500 (the defaults): a smaller range weights near and far more alike. A value that is not positive is an error
+   * and changes nothing.
    */
   void SetDepthNear(double distance);
   vtkGetMacro(DepthNear, double);
@@ -104,7 +98,6 @@ protected:
   double DepthFar = 500;
 
 private:
-
   vtkTranslucencyTargets Sums;
 
   vtkWeightedTransparencyPass(const vtkWeightedTransparencyPass&) = delete;

@@ -39,8 +39,7 @@ int SmallestCellShift(const vtkFragmentStorage::Rectangle& tile)
 vtkTypeInt64 CounterBytes(const vtkFragmentStorage::Rectangle& tile)
 {
   const int shift = SmallestCellShift(tile);
-  return CellsAcross(tile[2], shift) * CellsAcross(tile[3], shift) *
-    static_cast<vtkTypeInt64>(CELL_WORDS * WordBytes);
+  return CellsAcross(tile[2], shift) * CellsAcross(tile[3], shift) * static_cast<vtkTypeInt64>(CELL_WORDS * WordBytes);
 }
 
 vtkTypeInt64 DividedUp(vtkTypeInt64 number, vtkTypeInt64 divisor)
@@ -219,8 +218,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
 
   const TileLayout& layout = this->Layouts[tile];
   this->Ranges = this->GetRanges(layout);
-  const vtkTypeInt64 units =
-    std::accumulate(this->Ranges.begin(), this->Ranges.end(), vtkTypeInt64(0));
+  const vtkTypeInt64 units = std::accumulate(this->Ranges.begin(), this->Ranges.end(), vtkTypeInt64(0));
   if (units > this->UnitsAllowed) // the limit has been lowered since they were counted
   {
     this->Units = units;
@@ -242,7 +240,8 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
     first += this->Ranges[cell];
     words[CELL_END] = static_cast<unsigned int>(first);
   }
-  const std::array<unsigned int, 4> words{ { static_cast<unsigned int>(layout.CellShift), static_cast<unsigned int>(units), 0, 0 } };
+  const std::array<unsigned int, 4> words{ { static_cast<unsigned int>(layout.CellShift),
+    static_cast<unsigned int>(units), 0, 0 } };
   this->LayoutBlock.Upload(words.data(), LayoutBytes);
   this->Counters.Upload(cells.data(), CounterBytes(tile));
   this->Counters.BindStorage(STORAGE_BINDING_COUNTERS);
@@ -298,8 +297,7 @@ std::vector<vtkTypeInt64> vtkCellStorage::GetRanges(const TileLayout& layout) co
     }
   }
   // What was counted has to fit; what is more than that only if the limit allows it.
-  const bool fits =
-    std::accumulate(wide.begin(), wide.end(), vtkTypeInt64(0)) <= this->UnitsAllowed;
+  const bool fits = std::accumulate(wide.begin(), wide.end(), vtkTypeInt64(0)) <= this->UnitsAllowed;
   return fits ? wide : tight;
 }
 
@@ -308,9 +306,12 @@ bool vtkCellStorage::ReserveBuffers(
   vtkTypeInt64 units, vtkTypeInt64 room, const vtkTranslucencyCapabilities& capabilities)
 {
   const std::vector<Layout> layouts = this->GetLayouts();
-  const bool hasRoom = std::all_of(layouts.begin(), layouts.end(), [&](const Layout& layout) {
-    return layout.Used == Use::Links || this->GetLayoutBytes(layout, this->Tile, units) <= this->Buffers[layout.Binding].GetBytes();
-  });
+  const bool hasRoom = std::all_of(layouts.begin(), layouts.end(),
+    [&](const Layout& layout)
+    {
+      return layout.Used == Use::Links ||
+        this->GetLayoutBytes(layout, this->Tile, units) <= this->Buffers[layout.Binding].GetBytes();
+    });
   room = hasRoom ? units : room;
   vtkTypeInt64 kept = std::max(this->Counters.GetBytes(), CounterBytes(this->Tile)) + LayoutBytes;
   for (const Layout& layout : layouts)
@@ -325,7 +326,8 @@ bool vtkCellStorage::ReserveBuffers(
       buffer.second.Release();
     }
   }
-  const auto reserve = [&](const Layout& layout) {
+  const auto reserve = [&](const Layout& layout)
+  {
     vtkTranslucencyBuffer& buffer = this->Buffers[layout.Binding];
     return layout.Used == Use::Links || buffer.Reserve(this->GetLayoutBytes(layout, this->Tile, room)) ||
       buffer.Reserve(this->GetLayoutBytes(layout, this->Tile, units));
@@ -389,7 +391,8 @@ vtkTypeInt64 vtkCellStorage::CountUnits(const unsigned int* cell) const
 void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
 {
   const bool units = this->UnitsAreFragments();
-  if (!units && (!this->KeepsDrawOrder || this->Linked != Links::None)) // counted by shaders; or before, and no entries any more
+  if (!units &&
+    (!this->KeepsDrawOrder || this->Linked != Links::None)) // counted by shaders; or before, and no entries any more
   {
     return;
   }
@@ -414,7 +417,8 @@ void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
       const int x = column << layout.CellShift;
       const int pixels = std::min(1 << layout.CellShift, width - x);
       const std::size_t cell = static_cast<std::size_t>(y >> layout.CellShift) * layout.CellsPerRow + column;
-      cells[cell * CELL_WORDS + CELL_FRAGMENTS] -= this->CountFree(&this->Entries[static_cast<std::size_t>(y) * width + x], pixels);
+      cells[cell * CELL_WORDS + CELL_FRAGMENTS] -=
+        this->CountFree(&this->Entries[static_cast<std::size_t>(y) * width + x], pixels);
     }
   }
   this->Counters.Upload(cells.data(), CounterBytes(this->Tile));
@@ -451,7 +455,9 @@ vtkFragmentStorage::Outcome vtkCellStorage::End()
     return Outcome::Complete;
   }
   layout.FramesMoving = first ? 0 : FramesMovingAfterOverflow;
-  return this->Units <= this->UnitsAllowed && most * this->GetUnitFragments() <= MOST_FRAGMENTS_OF_CELL ? Outcome::Grown : Outcome::TooLarge;
+  return this->Units <= this->UnitsAllowed && most * this->GetUnitFragments() <= MOST_FRAGMENTS_OF_CELL
+    ? Outcome::Grown
+    : Outcome::TooLarge;
 }
 
 //------------------------------------------------------------------------------

@@ -2,20 +2,22 @@
  * @class   vtkCellStorage
  * @brief   a storage that gives room to cells of pixels
  *
- * Units of room, a node, a run of them or a section, are taken by atomic operations while the geometry is drawn. One counter for all of them is what the gather would
- * wait for: two threads alone lose more time to it than to everything else. Here each cell of 16 x 16 pixels has a counter (64 bytes) and a
- * range of units of its own, as large as what the cell held in the last frame and an eighth more. After a frame in which that was not enough (the view
- * moves), ranges are for a while as large as the fullest of a cell and its neighbours within two cells.
+ * Units of room, a node, a run of them or a section, are taken by atomic operations while the geometry is drawn. One
+ * counter for all of them is what the gather would wait for: two threads alone lose more time to it than to everything
+ * else. Here each cell of 16 x 16 pixels has a counter (64 bytes) and a range of units of its own, as large as what the
+ * cell held in the last frame and an eighth more. After a frame in which that was not enough (the view moves), ranges
+ * are for a while as large as the fullest of a cell and its neighbours within two cells.
  *
  * Where a range is too small, the frame is still counted to its end and then drawn again with ranges that fit.
  *
- * Resolves that change no fragments fetch them as texels of their buffer (Shaders/Storage/Cells.glsl): it has as many units at most as the driver can fetch.
+ * Resolves that change no fragments fetch them as texels of their buffer (Shaders/Storage/Cells.glsl): it has as many
+ * units at most as the driver can fetch.
  */
 #ifndef vtkCellStorage_h
 #define vtkCellStorage_h
 
 #include "vtkFragmentStorage.h"
-#include "vtkStorageDesign.h" // for GetDesign
+#include "vtkStorageDesign.h"      // for GetDesign
 #include "vtkTranslucencyBuffer.h" // for the buffers
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkCellStorage : public vtkFragmentStorage
@@ -26,8 +28,8 @@ public:
 
   ///@{
   /**
-   * How many fragments there is room for in the first frame. 0 (the default) means one a pixel. Later frames have as much room as the ones before
-   * needed. A negative value is an error and changes nothing.
+   * How many fragments there is room for in the first frame. 0 (the default) means one a pixel. Later frames have as
+   * much room as the ones before needed. A negative value is an error and changes nothing.
    */
   void SetInitialFragments(vtkTypeInt64 fragments);
   vtkGetMacro(InitialFragments, vtkTypeInt64);
@@ -41,7 +43,8 @@ public:
 
   ///@{
   /**
-   * Whether shaders count what they access, from the next tile on. Off by default: fragments are then stored by other shaders. For vtkStorageCountPass.
+   * Whether shaders count what they access, from the next tile on. Off by default: fragments are then stored by other
+   * shaders. For vtkStorageCountPass.
    */
   vtkSetMacro(CountAccesses, bool);
   vtkGetMacro(CountAccesses, bool);
@@ -52,16 +55,15 @@ public:
 
   std::map<std::string, std::string> GetDefines() const override;
   void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
-  std::string GetObstacle(
-    const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
+  std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
   Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) override;
   Outcome End() override;
   int GetPartsNeeded() const override;
   vtkTypeInt64 GetFragments() const override;
   int GetMostExpected() const override;
   vtkTypeInt64 GetUnits() const override;
-  bool Fits(vtkTypeInt64 units, const Rectangle& viewport,
-    const vtkTranslucencyCapabilities& capabilities) const override;
+  bool Fits(
+    vtkTypeInt64 units, const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
   bool ReserveLinks() override;
   std::vector<Texels> GetTexels() override;
   void FinishLinks() override;
@@ -144,9 +146,9 @@ private:
 
   std::vector<unsigned int> ReadCells() const;
 
-  /// After the geometry was drawn: fills in how many fragments each cell holds, as the units tell and what is free in them, for the shaders,
-  /// too. That costs less than an atomic operation a fragment. Where the order of drawing isn't kept, units may be free for other reasons, and the
-  /// shaders have counted.
+  /// After the geometry was drawn: fills in how many fragments each cell holds, as the units tell and what is free in
+  /// them, for the shaders, too. That costs less than an atomic operation a fragment. Where the order of drawing isn't
+  /// kept, units may be free for other reasons, and the shaders have counted.
   void CountFragments(std::vector<unsigned int>& cells);
 
   /// Units that a cell has needed.
@@ -157,13 +159,11 @@ private:
   vtkTypeInt64 GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pixels) const;
 
   /// Under the limit; -1 if not even a tile without any does.
-  vtkTypeInt64 GetUnitsAllowed(
-    const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) const;
+  vtkTypeInt64 GetUnitsAllowed(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) const;
 
-  /// Makes the buffers large enough for the tile, and gives back what would pass the limit; false if there is no memory. Where units have to grow they grow
-  /// to room, if there is memory.
-  bool ReserveBuffers(
-    vtkTypeInt64 units, vtkTypeInt64 room, const vtkTranslucencyCapabilities& capabilities);
+  /// Makes the buffers large enough for the tile, and gives back what would pass the limit; false if there is no
+  /// memory. Where units have to grow they grow to room, if there is memory.
+  bool ReserveBuffers(vtkTypeInt64 units, vtkTypeInt64 room, const vtkTranslucencyCapabilities& capabilities);
 
   /// The units that each cell may take.
   std::vector<vtkTypeInt64> GetRanges(const TileLayout& layout) const;
@@ -185,7 +185,7 @@ private:
   vtkTypeInt64 FullestCell = 0; // fragments
   bool KeepsDrawOrder = false;
   std::vector<unsigned int> Entries; // the table's, as they were last counted
-  Links Linked = Links::None;   // in the current tile
+  Links Linked = Links::None;        // in the current tile
 };
 
 #endif

@@ -25,7 +25,8 @@ int vtkLinkedListStorage::GetUnitFragments() const
 unsigned int vtkLinkedListStorage::CountFree(const unsigned int* entries, int count) const
 {
   return std::accumulate(entries, entries + count, 0u,
-    [](unsigned int free, unsigned int last) { return free + (NODE_RUN - last % NODE_RUN) % NODE_RUN; }); // runs begin at multiples of their length
+    [](unsigned int free, unsigned int last)
+    { return free + (NODE_RUN - last % NODE_RUN) % NODE_RUN; }); // runs begin at multiples of their length
 }
 
 //------------------------------------------------------------------------------

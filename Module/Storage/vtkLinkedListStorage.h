@@ -4,18 +4,20 @@
  *
  * After Yang et al. 2010, "Real-Time Concurrent Linked List Construction on the GPU":
  *
- * | buffer    | bytes                        | holds                                                                |
- * | --------- | ---------------------------- | -------------------------------------------------------------------- |
- * | table     | 4 a pixel                    | the head of the pixel's list, 0 if it is empty                       |
- * | fragments | 16 (HalfFloat), 12 (RGBA8)   | one node: next, depth, colour; 4 more with transmission colours      |
+ * - table, 4 bytes per pixel: the head of the pixel's list, 0 if it is empty
+ * - fragments, 16 bytes (HalfFloat) or 12 (RGBA8) each: one node, which is next, depth and colour; 4 more with
+ * transmission colours
  *
- * A list is in the reverse order of drawing: the last drawn first. In multi-sampled windows a fragment may join the node before it
- * (Shaders/Common/MergeSamples.glsl). The paper takes all nodes from one counter; vtkCellStorage says why this does not.
+ * A list is in the reverse order of drawing: the last drawn first. In multi-sampled windows a fragment may join the
+ * node before it (Shaders/Common/MergeSamples.glsl). The paper takes all nodes from one counter; vtkCellStorage says
+ * why this does not.
  *
- * A software rasterizer draws the fragments of a pixel in order and one at a time. There a pixel takes four nodes at once, side by side: a quarter of
- * the atomic operations, and resolves read four fragments at a time (Shaders/Storage/LinkedList.glsl). What is left of the last four is empty.
+ * A software rasterizer draws the fragments of a pixel in order and one at a time. There a pixel takes four nodes at
+ * once, side by side: a quarter of the atomic operations, and resolves read four fragments at a time
+ * (Shaders/Storage/LinkedList.glsl). What is left of the last four is empty.
  *
- * Bytes per pixel: 4, and 16 (or 12) for each fragment, with an eighth more; on a software rasterizer for each of four, if only one of them is there.
+ * Bytes per pixel: 4, and 16 (or 12) for each fragment, with an eighth more; on a software rasterizer for each of four,
+ * if only one of them is there.
  */
 #ifndef vtkLinkedListStorage_h
 #define vtkLinkedListStorage_h

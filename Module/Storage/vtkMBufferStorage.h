@@ -2,13 +2,15 @@
  * @class   vtkMBufferStorage
  * @brief   the M-buffer: a section of fragments for every pixel, and more where one is not enough
  *
- * The storage of the weight-factor algorithm, as the T-buffer's paper describes it (section 2.3.2): W x H sections of as many fragments as a pixel holds on average, section i for pixel i; behind them those that pixels take when
- * theirs is full; a pointer memory with an entry a section.
+ * The storage of the weight-factor algorithm, as the T-buffer's paper describes it (section 2.3.2): W x H sections of
+ * as many fragments as a pixel holds on average, section i for pixel i; behind them those that pixels take when theirs
+ * is full; a pointer memory with an entry a section.
  *
- * Bytes per pixel: 4 and SectionLength times 12 (8 with RGBA8), whether it holds anything or not; a section more takes as much.
+ * Bytes per pixel: 4 and SectionLength times 12 (8 with RGBA8), whether it holds anything or not; a section more takes
+ * as much.
  *
- * The paper's pointers lead from a pixel's own section to the others; here a pixel's entry names the one that is being filled, and its own comes last
- * (Shaders/Storage/Sections.glsl).
+ * The paper's pointers lead from a pixel's own section to the others; here a pixel's entry names the one that is being
+ * filled, and its own comes last (Shaders/Storage/Sections.glsl).
  */
 #ifndef vtkMBufferStorage_h
 #define vtkMBufferStorage_h
@@ -24,8 +26,9 @@ public:
 
   ///@{
   /**
-   * Whether SectionLength follows the scene: the mean of the fragments of those pixels that hold any, in the last frames (default). A new length
-   * takes new shaders, so it stays as it is while the mean is less than three quarters away from it. SetSectionLength turns this off.
+   * Whether SectionLength follows the scene: the mean of the fragments of those pixels that hold any, in the last
+   * frames (default). A new length takes new shaders, so it stays as it is while the mean is less than three quarters
+   * away from it. SetSectionLength turns this off.
    */
   void SetAutomaticSectionLength(bool automatic);
   vtkGetMacro(AutomaticSectionLength, bool);

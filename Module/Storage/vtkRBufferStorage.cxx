@@ -16,8 +16,8 @@ const char* vtkRBufferStorage::GetShaderName() const
 //------------------------------------------------------------------------------
 std::vector<vtkCellStorage::Layout> vtkRBufferStorage::GetLayouts() const
 {
-  return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared }, this->GetNodes(),
-    { STORAGE_BINDING_NEXT, 0, 1 }, { STORAGE_BINDING_LINKS, 2, 0, Use::Cleared } };
+  return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared }, this->GetNodes(), { STORAGE_BINDING_NEXT, 0, 1 },
+    { STORAGE_BINDING_LINKS, 2, 0, Use::Cleared } };
 }
 
 //------------------------------------------------------------------------------

@@ -2,21 +2,21 @@
  * @class   vtkRBufferStorage
  * @brief   the R-buffer: a first-in first-out buffer of fragments with their pixel
  *
- * After Wittenbrink 2001, "R-Buffer: A Pointerless A-Buffer Hardware Architecture", as the T-buffer's paper describes it (section 2.3.1). Fragments are appended to
- * a queue as they are drawn. Reading them takes as many passes as the deepest pixel has fragments: each takes the farthest fragment of every pixel
- * out of the queue and puts the others back; a second depth buffer holds its depth, a state of three bits a pixel whether it is of
- * this pass. So fragments leave in the order of depth, and techniques read them from the nearest on, whatever the order of drawing was.
+ * After Wittenbrink 2001, "R-Buffer: A Pointerless A-Buffer Hardware Architecture", as the T-buffer's paper describes
+ * it (section 2.3.1). Fragments are appended to a queue as they are drawn. Reading them takes as many passes as the
+ * deepest pixel has fragments: each takes the farthest fragment of every pixel out of the queue and puts the others
+ * back; a second depth buffer holds its depth, a state of three bits a pixel whether it is of this pass. So fragments
+ * leave in the order of depth, and techniques read them from the nearest on, whatever the order of drawing was.
  *
- * | buffer        | bytes                      | holds                                                                    |
- * | ------------- | -------------------------- | ------------------------------------------------------------------------ |
- * | fragments     | 16 (HalfFloat), 12 (RGBA8) | link, depth, colour; 4 more with transmission colours                     |
- * | pixels        | 4 a fragment               | the fragment's pixel                                                     |
- * | second depths | 8 a pixel                  | state and number of the fragment that leaves, its depth                  |
- * | table         | 4 a pixel                  | the nearest fragment that has left: techniques go from one to the next   |
+ * - fragments, 16 bytes (HalfFloat) or 12 (RGBA8) each: link, depth, colour; 4 more with transmission colours
+ * - pixels, 4 bytes per fragment: the fragment's pixel
+ * - second depths, 8 bytes per pixel: state and number of the fragment that leaves, and its depth
+ * - table, 4 bytes per pixel: the nearest fragment that has left; techniques go from one to the next
  *
- * The paper's queue is one for the whole picture, and its hardware goes through it alone. Here each cell of 16 x 16 pixels has one (vtkCellStorage), and
- * an invocation that goes through it (Shaders/Storage/Retrieve.glsl): the same passes for each pixel, the same reads, and no two invocations at one pixel. The
- * work is the sum of i (i + 1) / 2 for pixels of i fragments: a storage to compare with, not one for deep scenes.
+ * The paper's queue is one for the whole picture, and its hardware goes through it alone. Here each cell of 16 x 16
+ * pixels has one (vtkCellStorage), and an invocation that goes through it (Shaders/Storage/Retrieve.glsl): the same
+ * passes for each pixel, the same reads, and no two invocations at one pixel. The work is the sum of i (i + 1) / 2 for
+ * pixels of i fragments: a storage to compare with, not one for deep scenes.
  */
 #ifndef vtkRBufferStorage_h
 #define vtkRBufferStorage_h

@@ -67,14 +67,17 @@ std::vector<vtkCellStorage::Layout> vtkSectionStorage::GetLayouts() const
 {
   const int words = 1 + this->GetColorWords() + (this->Samples > 1 ? 1 : 0);
   return { { STORAGE_BINDING_TABLE, 1, 0, Use::Cleared },
-    { STORAGE_BINDING_FRAGMENTS, this->GetPixelFragments() * words, this->SectionLength * words, Use::Written, "fragmentTexels", 4 },
-    { STORAGE_BINDING_NEXT, 0, 1, Use::Written, "nextTexels", 1 }, { STORAGE_BINDING_LINKS, this->GetPixelFragments(), this->SectionLength, Use::Links } };
+    { STORAGE_BINDING_FRAGMENTS, this->GetPixelFragments() * words, this->SectionLength * words, Use::Written,
+      "fragmentTexels", 4 },
+    { STORAGE_BINDING_NEXT, 0, 1, Use::Written, "nextTexels", 1 },
+    { STORAGE_BINDING_LINKS, this->GetPixelFragments(), this->SectionLength, Use::Links } };
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkSectionStorage::GetMostUnits(const Rectangle& tile) const
 {
-  // An entry tells links from sections by a bit, and holds a section's number beside what is free in it, or a fragment's number.
+  // An entry tells links from sections by a bit, and holds a section's number beside what is free in it, or a
+  // fragment's number.
   const int bits = (this->Samples > 1 ? HEAD_BITS : 32) - 1;
   const vtkTypeInt64 fragments = (vtkTypeInt64(1) << bits) - 1;
   const vtkTypeInt64 sections = (vtkTypeInt64(1) << (bits - this->GetFreeBits())) - 1;
@@ -86,5 +89,6 @@ vtkTypeInt64 vtkSectionStorage::GetMostUnits(const Rectangle& tile) const
 unsigned int vtkSectionStorage::CountFree(const unsigned int* entries, int count) const
 {
   const unsigned int mask = (1u << this->GetFreeBits()) - 1u;
-  return std::accumulate(entries, entries + count, 0u, [mask](unsigned int free, unsigned int entry) { return free + (entry & mask); });
+  return std::accumulate(
+    entries, entries + count, 0u, [mask](unsigned int free, unsigned int entry) { return free + (entry & mask); });
 }

@@ -2,15 +2,16 @@
  * @class   vtkSectionStorage
  * @brief   fragments of a pixel in sections, one behind the other: what T-buffer and M-buffer share
  *
- * | buffer        | bytes                        | holds                                                                  |
- * | ------------- | ---------------------------- | ---------------------------------------------------------------------- |
- * | entries       | 4 a pixel                    | the section that is being filled, and how far; 0 if there is none       |
- * | fragments     | 12 (HalfFloat), 8 (RGBA8)    | depth, colour; 4 more with transmission colours, 4 in multi-sampled windows |
- * | next sections | 4 a section                  | the section that was filled before                                     |
- * | links         | 4 a fragment                 | only where fragments are sorted where they lie (pixels of more than 32), or volumes are between them |
+ * - entries, 4 bytes per pixel: the section that is being filled, and how far; 0 if there is none
+ * - fragments, 12 bytes (HalfFloat) or 8 (RGBA8) each: depth, colour; 4 more with transmission colours, 4 in
+ * multi-sampled windows
+ * - next sections, 4 bytes per section: the section that was filled before
+ * - links, 4 bytes per fragment: only where fragments are sorted where they lie (pixels of more than 32), or volumes
+ * are between them
  *
- * Fragments come in the reverse order of drawing, as from linked lists, and without the link that each of those has: the next one lies beside it. What
- * is lost instead is the room in sections that are not full. Shaders/Storage/Sections.glsl has the rest, and how it stands concurrent drawing.
+ * Fragments come in the reverse order of drawing, as from linked lists, and without the link that each of those has:
+ * the next one lies beside it. What is lost instead is the room in sections that are not full.
+ * Shaders/Storage/Sections.glsl has the rest, and how it stands concurrent drawing.
  */
 #ifndef vtkSectionStorage_h
 #define vtkSectionStorage_h

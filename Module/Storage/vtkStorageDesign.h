@@ -43,7 +43,10 @@ public:
       this->FrameBuffer += others.FrameBuffer;
       return *this;
     }
-    std::int64_t GetTotal() const { return this->Stores + this->Reads + this->Table + this->SecondDepth + this->FrameBuffer; }
+    std::int64_t GetTotal() const
+    {
+      return this->Stores + this->Reads + this->Table + this->SecondDepth + this->FrameBuffer;
+    }
   };
 };
 

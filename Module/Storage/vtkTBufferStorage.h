@@ -3,12 +3,14 @@
  * @brief   the T-buffer: sections of fragments for those pixels that hold any
  *
  * After the T-buffer's paper (section 3.2): a start-section table with an entry a pixel, null where the pixel
- * holds nothing; sections of SectionLength fragments, which any pixel may take; a next-section table with an entry a section. Pixels without
- * translucent fragments cost their entry, and nothing else.
+ * holds nothing; sections of SectionLength fragments, which any pixel may take; a next-section table with an entry a
+ * section. Pixels without translucent fragments cost their entry, and nothing else.
  *
- * Bytes per pixel: 4; a section takes SectionLength times 12 bytes (8 with RGBA8) and 4, and a pixel as many sections as its fragments fill, the last one in part.
+ * Bytes per pixel: 4; a section takes SectionLength times 12 bytes (8 with RGBA8) and 4, and a pixel as many sections
+ * as its fragments fill, the last one in part.
  *
- * The paper's chains begin with a pixel's first section; here the entry names the one that is being filled (Shaders/Storage/Sections.glsl).
+ * The paper's chains begin with a pixel's first section; here the entry names the one that is being filled
+ * (Shaders/Storage/Sections.glsl).
  */
 #ifndef vtkTBufferStorage_h
 #define vtkTBufferStorage_h

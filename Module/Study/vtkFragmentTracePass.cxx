@@ -24,7 +24,8 @@ Fragment ToFragment(const unsigned int* words)
 {
   float floats[TraceWords - 1];
   std::memcpy(floats, words + 1, sizeof(floats));
-  return { static_cast<int>(words[0] & 0xffffu), static_cast<int>(words[0] >> 16), floats[0], { { floats[1], floats[2], floats[3], floats[4] } } };
+  return { static_cast<int>(words[0] & 0xffffu), static_cast<int>(words[0] >> 16), floats[0],
+    { { floats[1], floats[2], floats[3], floats[4] } } };
 }
 }
 
@@ -60,15 +61,18 @@ bool vtkFragmentTracePass::UseLists(vtkTranslucencyFrame& frame)
 {
   if (frame.GetSamples() > 1)
   {
-    return frame.Fail("a pixel has " + std::to_string(frame.GetSamples()) + " samples, expected 1: fragments of several can't be traced");
+    return frame.Fail("a pixel has " + std::to_string(frame.GetSamples()) +
+      " samples, expected 1: fragments of several can't be traced");
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(frame.GetRenderer()->GetRenderWindow());
   const vtkTypeInt64 most = this->GetCapabilities(window).MaximumBlockBytes;
   const vtkTypeInt64 fragments = this->Storage->GetFragments();
-  const vtkTypeInt64 bytes = (1 + fragments * static_cast<vtkTypeInt64>(TraceWords)) * static_cast<vtkTypeInt64>(sizeof(unsigned int));
+  const vtkTypeInt64 bytes =
+    (1 + fragments * static_cast<vtkTypeInt64>(TraceWords)) * static_cast<vtkTypeInt64>(sizeof(unsigned int));
   if (fragments > VTK_INT_MAX || bytes > most || !this->Copy.Reserve(bytes))
   {
-    return frame.Fail("the driver has no memory for a trace of " + std::to_string(fragments) + " fragments of a tile; a memory limit makes tiles smaller");
+    return frame.Fail("the driver has no memory for a trace of " + std::to_string(fragments) +
+      " fragments of a tile; a memory limit makes tiles smaller");
   }
   this->Copy.Clear(sizeof(unsigned int));
   this->Copy.BindStorage(STORAGE_BINDING_READ_BACK);
@@ -80,7 +84,8 @@ bool vtkFragmentTracePass::UseLists(vtkTranslucencyFrame& frame)
   this->Copy.Download(words.data(), bytes);
   if (words[0] != fragments)
   {
-    return frame.Fail("the lists have " + std::to_string(words[0]) + " fragments, expected the " + std::to_string(fragments) + " that were stored");
+    return frame.Fail("the lists have " + std::to_string(words[0]) + " fragments, expected the " +
+      std::to_string(fragments) + " that were stored");
   }
   for (std::size_t word = 1; word < words.size(); word += TraceWords)
   {

@@ -2,14 +2,17 @@
  * @class   vtkFragmentTracePass
  * @brief   draws the exact picture and keeps a copy of the fragments that it is made of
  *
- * What the simulator of the T-buffer's paper is fed with (section 4): the fragments of a frame, before they are put into order.
+ * What the simulator of the T-buffer's paper is fed with (section 4): the fragments of a frame, before they are put
+ * into order.
  *
  * 1. Gather: all translucent fragments into the storage, as vtkABufferPass does.
- * 2. Trace: a resolve (Shaders/Trace/Resolve.glsl) walks the lists, whatever the storage, and copies them, 24 bytes a fragment.
+ * 2. Trace: a resolve (Shaders/Trace/Resolve.glsl) walks the lists, whatever the storage, and copies them, 24 bytes a
+ * fragment.
  * 3. Resolve: as vtkABufferPass does.
  *
- * Fragments are those that the depth test against opaque geometry leaves, in the precision of the storage. Needs a window of one sample a pixel: with several it
- * is an error and nothing is kept. Of transmission colours the mean is taken.
+ * Fragments are those that the depth test against opaque geometry leaves, in the precision of the storage. Needs a
+ * window of one sample a pixel: with several it is an error and nothing is kept. Of transmission colours the mean is
+ * taken.
  */
 #ifndef vtkFragmentTracePass_h
 #define vtkFragmentTracePass_h
@@ -28,8 +31,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The fragments of the last frame, pixel by pixel, row by row from the lowest; those of a pixel in the order of drawing, as far as the driver
-   * keeps it. Pixels are the window's. Empty where the frame was drawn by a fallback.
+   * The fragments of the last frame, pixel by pixel, row by row from the lowest; those of a pixel in the order of
+   * drawing, as far as the driver keeps it. Pixels are the window's. Empty where the frame was drawn by a fallback.
    */
   const std::vector<vtkStorageSimulator::Fragment>& GetFragments() const { return this->Fragments; }
 

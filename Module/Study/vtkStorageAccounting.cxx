@@ -45,7 +45,8 @@ std::string CheckRange(const std::string& what, std::int64_t value, std::int64_t
 std::string CheckFrame(const vtkStorageAccounting::Histogram& frame, const std::string& name, int coordinateBits)
 {
   const std::int64_t side = coordinateBits < 31 ? std::int64_t(1) << coordinateBits : 0x7fffffff;
-  std::vector<std::string> errors{ CheckRange(name + ": width", frame.Width, 1, side), CheckRange(name + ": height", frame.Height, 1, side) };
+  std::vector<std::string> errors{ CheckRange(name + ": width", frame.Width, 1, side),
+    CheckRange(name + ": height", frame.Height, 1, side) };
   for (std::string& error : errors)
   {
     error += error.empty() ? "" : ", with coordinates of " + std::to_string(coordinateBits) + " bits";
@@ -62,16 +63,17 @@ std::string CheckFrame(const vtkStorageAccounting::Histogram& frame, const std::
       break;
     }
     left -= pixels.second;
-    errors.push_back(pixels.second > fragments / pixels.first
-        ? name + " has more than " + std::to_string(vtkStorageAccounting::MostFragments) + " fragments, expected at most as many"
-        : std::string());
+    errors.push_back(pixels.second > fragments / pixels.first ? name + " has more than " +
+          std::to_string(vtkStorageAccounting::MostFragments) + " fragments, expected at most as many"
+                                                              : std::string());
     if (!errors.back().empty())
     {
       break;
     }
     fragments -= pixels.first * pixels.second;
   }
-  const auto first = std::find_if(errors.begin(), errors.end(), [](const std::string& error) { return !error.empty(); });
+  const auto first =
+    std::find_if(errors.begin(), errors.end(), [](const std::string& error) { return !error.empty(); });
   return first == errors.end() ? std::string() : *first;
 }
 }
@@ -110,11 +112,11 @@ vtkStorageAccounting::vtkStorageAccounting(const Settings& settings, const std::
 std::string vtkStorageAccounting::FindError() const
 {
   const Packing& bits = this->Given.Bits;
-  for (const std::string& error :
-    { CheckRange("coordinate bits", bits.Coordinate, 1, 64), CheckRange("depth bits", bits.Depth, 1, 64),
-      CheckRange("colour bits", bits.Color, 1, 64), CheckRange("state bits", bits.State, 1, 64),
-      CheckRange("address bits", bits.Address, 0, 64), CheckRange("the T-buffer's section length", this->Given.TSectionLength, 1, 64),
-      CheckRange("the M-buffer's section length", this->Given.MSectionLength, 0, 64) })
+  for (const std::string& error : { CheckRange("coordinate bits", bits.Coordinate, 1, 64),
+         CheckRange("depth bits", bits.Depth, 1, 64), CheckRange("colour bits", bits.Color, 1, 64),
+         CheckRange("state bits", bits.State, 1, 64), CheckRange("address bits", bits.Address, 0, 64),
+         CheckRange("the T-buffer's section length", this->Given.TSectionLength, 1, 64),
+         CheckRange("the M-buffer's section length", this->Given.MSectionLength, 0, 64) })
   {
     if (!error.empty())
     {
@@ -134,8 +136,9 @@ std::string vtkStorageAccounting::FindError() const
     const std::int64_t addressed = this->GetAddressed(design);
     if (bits.Address > 0 && bits.Address < BitsFor(addressed))
     {
-      return "address bits are " + std::to_string(bits.Address) + ", expected at least " + std::to_string(BitsFor(addressed)) + " for the " +
-        std::to_string(addressed) + " sections of the " + vtkStorageDesign::GetName(design);
+      return "address bits are " + std::to_string(bits.Address) + ", expected at least " +
+        std::to_string(BitsFor(addressed)) + " for the " + std::to_string(addressed) + " sections of the " +
+        vtkStorageDesign::GetName(design);
     }
   }
   return "";
@@ -202,11 +205,14 @@ vtkStorageAccounting::Cost vtkStorageAccounting::GetCost(Design design, std::siz
       cost.Count.Table = pixels.GetPixels();
       break;
     case Design::RBuffer:
-      cost.Bytes = (static_cast<double>(fragments) * (fragmentBits + 2 * field.Coordinate) + all * (field.Depth + field.State)) / 8;
+      cost.Bytes =
+        (static_cast<double>(fragments) * (fragmentBits + 2 * field.Coordinate) + all * (field.Depth + field.State)) /
+        8;
       cost.Count.Reads = 0;
       for (const auto& deep : pixels.Pixels)
       {
-        cost.Count.Reads += deep.second * (deep.first * (deep.first + 1) / 2); // pass p reads what p - 1 passes have left
+        cost.Count.Reads +=
+          deep.second * (deep.first * (deep.first + 1) / 2); // pass p reads what p - 1 passes have left
       }
       cost.Count.SecondDepth = cost.Count.Reads;
       cost.Count.FrameBuffer = fragments;

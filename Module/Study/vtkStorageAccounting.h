@@ -1,29 +1,33 @@
 /**
- * What designs of fragment storage take for a frame, in bytes and in accesses to memory, in closed form, from nothing but how many pixels hold
- * how many fragments: the evaluation of the T-buffer's paper ("T-buffer", section 4: Table 2 and the sums behind it), for hardware that keeps
- * fragments as tightly as its fields allow.
+ * What designs of fragment storage take for a frame, in bytes and in accesses to memory, in closed form, from nothing
+ * but how many pixels hold how many fragments: the evaluation of the T-buffer's paper ("T-buffer", section 4: Table 2
+ * and the sums behind it), for hardware that keeps fragments as tightly as its fields allow.
  *
  * - Linked list: a node a fragment, with the address of the next one; a table with the first one of each pixel.
- * - T-buffer: the same with sections of several fragments; the start-section table and the next-section table hold the addresses.
- * - R-buffer: fragments of all pixels in one FIFO, with their coordinates; what is read and is not the farthest of its pixel goes in again. A second
- *   depth buffer and the pixels' states tell which one is.
- * - M-buffer: each pixel has a section from the start, and more behind those of all pixels where it needs them; a pointer a section.
+ * - T-buffer: the same with sections of several fragments; the start-section table and the next-section table hold the
+ * addresses.
+ * - R-buffer: fragments of all pixels in one FIFO, with their coordinates; what is read and is not the farthest of its
+ * pixel goes in again. A second depth buffer and the pixels' states tell which one is.
+ * - M-buffer: each pixel has a section from the start, and more behind those of all pixels where it needs them; a
+ * pointer a section.
  *
- * With L fragments a section (L is 1 for linked lists), N_i pixels of i fragments, F fragments, P pixels that hold any, WxH pixels, a, f, c, z and s the bits of
- * an address, of a fragment (depth and colour), of a coordinate, of a depth and of a state:
+ * With L fragments a section (L is 1 for linked lists), N_i pixels of i fragments, F fragments, P pixels that hold any,
+ * WxH pixels, a, f, c, z and s the bits of an address, of a fragment (depth and colour), of a coordinate, of a depth
+ * and of a state:
  *
- *                sections                              bits                                 reads                      other accesses
- *   linked list  F                                     WH a + F (f + a)                     F                          table: P
- *   T-buffer     sum N_i ceil(i / L)                   WH a + sections (L f + a)            F                          table: P
- *   R-buffer     0                                     F (f + 2 c) + WH z + WH s            sum N_i i (i + 1) / 2      second depth buffer: reads, frame buffer: F
- *   M-buffer     WH + sum N_i max(0, ceil(i / L) - 1)  sections (L f + a)                   F                          none
+ *                sections                              bits                                 reads other accesses linked
+ * list  F                                     WH a + F (f + a)                     F                          table: P
+ *   T-buffer     sum N_i ceil(i / L)                   WH a + sections (L f + a)            F table: P R-buffer     0
+ * F (f + 2 c) + WH z + WH s            sum N_i i (i + 1) / 2      second depth buffer: reads, frame buffer: F M-buffer
+ * WH + sum N_i max(0, ceil(i / L) - 1)  sections (L f + a)                   F                          none
  *
- * and F stores each. As in the paper, addresses that are looked up for a fragment that is being stored are not counted, nor are those that are read together
- * with a section: next sections, and the M-buffer's pointers.
+ * and F stores each. As in the paper, addresses that are looked up for a fragment that is being stored are not counted,
+ * nor are those that are read together with a section: next sections, and the M-buffer's pointers.
  *
- * The paper gives no sizes of fields. With those below, an automatic address, and 640x480 pixels, its Table 1 gives the T-buffer 28.8 % less storage than the
- * R-buffer (the paper: 29 %), 68 % less than the M-buffer (67 %), 51.5 % fewer accesses (52 %), and 28.4 % more (27 %). Sizes in whole bytes come as close
- * for storage against the R-buffer: 8 a fragment, 11 in the R-buffer, 2 an address give 28.7 %.
+ * The paper gives no sizes of fields. With those below, an automatic address, and 640x480 pixels, its Table 1 gives the
+ * T-buffer 28.8 % less storage than the R-buffer (the paper: 29 %), 68 % less than the M-buffer (67 %), 51.5 % fewer
+ * accesses (52 %), and 28.4 % more (27 %). Sizes in whole bytes come as close for storage against the R-buffer: 8 a
+ * fragment, 11 in the R-buffer, 2 an address give 28.7 %.
  */
 #ifndef vtkStorageAccounting_h
 #define vtkStorageAccounting_h
@@ -68,7 +72,8 @@ public:
   {
     Packing Bits;
     int TSectionLength = 2; ///< fragments in a section of the T-buffer, 1 to 64
-    int MSectionLength = 0; ///< of the M-buffer, 1 to 64; 0: the frame's mean over the pixels that hold any, rounded, 1 or more
+    int MSectionLength =
+      0; ///< of the M-buffer, 1 to 64; 0: the frame's mean over the pixels that hold any, rounded, 1 or more
   };
 
   /// A design as it is built for a frame.
@@ -101,7 +106,8 @@ public:
 
   vtkStorageAccounting(const Settings& settings, const std::vector<Histogram>& frames);
 
-  /// Empty, or what is wrong with the settings or a frame, its value and what was expected. Then there is nothing else to ask.
+  /// Empty, or what is wrong with the settings or a frame, its value and what was expected. Then there is nothing else
+  /// to ask.
   const std::string& GetError() const { return this->Error; }
 
   Layout GetLayout(Design design, std::size_t frame) const;

@@ -40,7 +40,8 @@ void vtkStorageCountPass::RenderTranslucent(const vtkRenderState* state, vtkRend
   auto* storage = vtkCellStorage::SafeDownCast(this->Storage);
   if (!storage)
   {
-    vtkErrorMacro(<< "the storage is a " << this->Storage->GetClassName() << ", expected a vtkCellStorage: other shaders don't count");
+    vtkErrorMacro(<< "the storage is a " << this->Storage->GetClassName()
+                  << ", expected a vtkCellStorage: other shaders don't count");
     return;
   }
   storage->SetCountAccesses(true);

@@ -2,16 +2,17 @@
  * @class   vtkStorageCountPass
  * @brief   draws the exact picture and counts the accesses to its fragment storage
  *
- * 1. Gather: all translucent fragments into the storage, as vtkABufferPass does, by shaders that count what they access.
+ * 1. Gather: all translucent fragments into the storage, as vtkABufferPass does, by shaders that count what they
+ * access.
  * 2. Count: a resolve (Shaders/Storage/CountAccesses.glsl) reads all fragments once.
  * 3. Resolve: as vtkABufferPass does, without counting.
  *
- * So each fragment is stored once and read once, whatever techniques would do with it; vtkStorageAccounting says what counts, and expects the same
- * numbers from nothing but how many pixels hold how many fragments. Volumes' fragments are inserted behind the R-buffer's passes: stored, but not among its
- * reads and what these access.
+ * So each fragment is stored once and read once, whatever techniques would do with it; vtkStorageAccounting says what
+ * counts, and expects the same numbers from nothing but how many pixels hold how many fragments. Volumes' fragments are
+ * inserted behind the R-buffer's passes: stored, but not among its reads and what these access.
  *
- * The storage's properties are the pass's, as for all techniques. The counts are those of the last frame, and -1 before the first one and where it was drawn
- * by a fallback.
+ * The storage's properties are the pass's, as for all techniques. The counts are those of the last frame, and -1 before
+ * the first one and where it was drawn by a fallback.
  */
 #ifndef vtkStorageCountPass_h
 #define vtkStorageCountPass_h
@@ -40,7 +41,8 @@ public:
   ///@}
 
   /**
-   * Bytes that hardware built for the design would take for these fragments (vtkStorageAccounting, with its own packing).
+   * Bytes that hardware built for the design would take for these fragments (vtkStorageAccounting, with its own
+   * packing).
    */
   vtkGetMacro(PackedBytes, double);
 

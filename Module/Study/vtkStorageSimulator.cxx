@@ -109,7 +109,8 @@ protected:
   {
     this->Kept.emplace_back();
     this->NextSection.push_back(0);
-    this->GiveOut(1, static_cast<double>(this->Built.SectionLength) * this->GetFragmentBits() + this->Built.Bits.Address);
+    this->GiveOut(
+      1, static_cast<double>(this->Built.SectionLength) * this->GetFragmentBits() + this->Built.Bits.Address);
     ++this->Given.Cost.Sections;
     return this->Kept.size() - 1;
   }
@@ -227,9 +228,10 @@ private:
   std::vector<std::size_t> LastSection; // sections, not addresses; the simulator's, as above
 };
 
-// Section 2.3.1: what is read from the FIFO is either its pixel's farthest fragment, and blended, or goes into the FIFO again. The depth of the farthest
-// is known when a pass begins, and that of the next one when it ends: the two depth buffers of the hardware change their roles. The first is
-// the one that every design has; to begin with it holds what was the farthest when fragments were stored.
+// Section 2.3.1: what is read from the FIFO is either its pixel's farthest fragment, and blended, or goes into the FIFO
+// again. The depth of the farthest is known when a pass begins, and that of the next one when it ends: the two depth
+// buffers of the hardware change their roles. The first is the one that every design has; to begin with it holds what
+// was the farthest when fragments were stored.
 class RBuffer : public Storage
 {
 public:
@@ -320,7 +322,8 @@ std::unique_ptr<Storage> NewStorage(const Accounting::Layout& layout, vtkStorage
 }
 
 //------------------------------------------------------------------------------
-vtkStorageSimulator::Result vtkStorageSimulator::Run(const Accounting::Layout& layout, const std::vector<Fragment>& fragments)
+vtkStorageSimulator::Result vtkStorageSimulator::Run(
+  const Accounting::Layout& layout, const std::vector<Fragment>& fragments)
 {
   Result result;
   const auto storage = NewStorage(layout, result);
@@ -330,9 +333,9 @@ vtkStorageSimulator::Result vtkStorageSimulator::Run(const Accounting::Layout& l
     const bool inside = fragment.X >= 0 && fragment.X < layout.Width && fragment.Y >= 0 && fragment.Y < layout.Height;
     if (!inside || !(fragment.Depth >= 0 && fragment.Depth <= 1))
     {
-      result.Error = "fragment " + std::to_string(i) + " is at " + std::to_string(fragment.X) + ", " + std::to_string(fragment.Y) + " and depth " +
-        std::to_string(fragment.Depth) + ", expected a pixel of " + std::to_string(layout.Width) + "x" + std::to_string(layout.Height) +
-        " and a depth of 0 to 1";
+      result.Error = "fragment " + std::to_string(i) + " is at " + std::to_string(fragment.X) + ", " +
+        std::to_string(fragment.Y) + " and depth " + std::to_string(fragment.Depth) + ", expected a pixel of " +
+        std::to_string(layout.Width) + "x" + std::to_string(layout.Height) + " and a depth of 0 to 1";
       break;
     }
     storage->Store(fragment);
@@ -347,7 +350,8 @@ vtkStorageSimulator::Result vtkStorageSimulator::Run(const Accounting::Layout& l
 }
 
 //------------------------------------------------------------------------------
-vtkStorageAccounting::Histogram vtkStorageSimulator::Count(int width, int height, const std::vector<Fragment>& fragments)
+vtkStorageAccounting::Histogram vtkStorageSimulator::Count(
+  int width, int height, const std::vector<Fragment>& fragments)
 {
   std::vector<std::int64_t> depths(static_cast<std::size_t>(width) * height, 0);
   for (const Fragment& fragment : fragments)

@@ -1,12 +1,14 @@
 /**
- * What `translucency run` preloads into a program: where the program, or VTK in it, asks for a depth peeling pass, it gets one that draws by
- * the technique that was chosen.
+ * What `translucency run` preloads into a program: where the program, or VTK in it, asks for a depth peeling pass, it
+ * gets one that draws by the technique that was chosen.
  *
- * Asking is a call of vtkDualDepthPeelingPass::New() or vtkDepthPeelingPass::New() from one library into another, which the loader resolves
- * to the functions below. Nothing here links with VTK: programs that do without it are preloaded too. Once VTK has called, its version is
- * compared with the one that vtkTranslucencyDropIn was built with; if that is another one, VTK's own pass is made, and it is said why.
+ * Asking is a call of vtkDualDepthPeelingPass::New() or vtkDepthPeelingPass::New() from one library into another, which
+ * the loader resolves to the functions below. Nothing here links with VTK: programs that do without it are preloaded
+ * too. Once VTK has called, its version is compared with the one that vtkTranslucencyDropIn was built with; if that is
+ * another one, VTK's own pass is made, and it is said why.
  *
- * A factory override would not do: the first factory registered wins, and subclasses of vtkRenderer make their passes themselves.
+ * A factory override would not do: the first factory registered wins, and subclasses of vtkRenderer make their passes
+ * themselves.
  */
 #include <cstdio>
 #include <cstdlib>
@@ -56,8 +58,9 @@ void* FindIn(const std::string& file, const char* symbol)
   return library ? dlsym(library, symbol) : nullptr;
 }
 
-// What a symbol would mean to a caller without this library: where VTK was opened for itself alone, as Python does, among what the caller's
-// library depends on, or, where it calls through a pointer that another one gave it, among what VTK's depends on.
+// What a symbol would mean to a caller without this library: where VTK was opened for itself alone, as Python does,
+// among what the caller's library depends on, or, where it calls through a pointer that another one gave it, among what
+// VTK's depends on.
 void* Find(const char* symbol, const void* caller)
 {
   void* found = dlsym(RTLD_NEXT, symbol);
@@ -124,7 +127,7 @@ private:
       return;
     }
     std::string file = FileOf(reinterpret_cast<const void*>(&HoldsVTK));
-    file = file.substr(0, file.rfind('/') + 1) + TRANSLUCENCY_DROP_IN;
+    file.replace(file.rfind('/') + 1, std::string::npos, TRANSLUCENCY_DROP_IN);
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library)
     {
@@ -161,8 +164,7 @@ private:
 // Says so where a program with VTK in it has never asked.
 __attribute__((destructor)) void SayIfNeverAsked()
 {
-  const auto look = [](dl_phdr_info* info, size_t, void*)
-  { return HoldsVTK(info->dlpi_name) ? 1 : 0; };
+  const auto look = [](dl_phdr_info* info, size_t, void*) { return HoldsVTK(info->dlpi_name) ? 1 : 0; };
   if (!DropIn::Get().Asked && dl_iterate_phdr(look, nullptr))
   {
     Say("it never asked for depth peeling (vtkRenderer::UseDepthPeelingOn, or a depth peeling "
@@ -174,13 +176,11 @@ __attribute__((destructor)) void SayIfNeverAsked()
 //------------------------------------------------------------------------------
 __attribute__((visibility("default"))) vtkDualDepthPeelingPass* vtkDualDepthPeelingPass::New()
 {
-  return static_cast<vtkDualDepthPeelingPass*>(
-    DropIn::Get().New(NewDual, __builtin_return_address(0)));
+  return static_cast<vtkDualDepthPeelingPass*>(DropIn::Get().New(NewDual, __builtin_return_address(0)));
 }
 
 //------------------------------------------------------------------------------
 __attribute__((visibility("default"))) vtkDepthPeelingPass* vtkDepthPeelingPass::New()
 {
-  return static_cast<vtkDepthPeelingPass*>(
-    DropIn::Get().New(NewSingle, __builtin_return_address(0)));
+  return static_cast<vtkDepthPeelingPass*>(DropIn::Get().New(NewSingle, __builtin_return_address(0)));
 }

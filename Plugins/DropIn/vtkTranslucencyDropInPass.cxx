@@ -43,8 +43,7 @@ void vtkTranslucencyDropInPass::Render(const vtkRenderState* state)
   }
   this->Technique->Render(state);
   this->NumberOfRenderedProps = this->Technique->GetNumberOfRenderedProps();
-  if (this->VolumetricPass && !own &&
-    !dual) // techniques that know no volumes; the renderer leaves them to this pass
+  if (this->VolumetricPass && !own && !dual) // techniques that know no volumes; the renderer leaves them to this pass
   {
     this->VolumetricPass->Render(state);
     this->NumberOfRenderedProps += this->VolumetricPass->GetNumberOfRenderedProps();
@@ -59,13 +58,12 @@ void vtkTranslucencyDropInPass::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// What Preload.cxx looks up. TRANSLUCENCY_TECHNIQUE is {"technique": NAME, "options": {KEYWORD: TEXT, ...}}, which `translucency run` has
-// checked.
+// What Preload.cxx looks up. TRANSLUCENCY_TECHNIQUE is {"technique": NAME, "options": {KEYWORD: TEXT, ...}}, which
+// `translucency run` has checked.
 extern "C" __attribute__((visibility("default"))) void* vtkTranslucencyDropInNew()
 {
   const char* text = std::getenv("TRANSLUCENCY_TECHNIQUE");
-  const auto wanted =
-    nlohmann::json::parse(text ? text : R"({"technique": "adaptive", "options": {}})");
+  const auto wanted = nlohmann::json::parse(text ? text : R"({"technique": "adaptive", "options": {}})");
   const auto technique = vtkSmartPointer<vtkRenderPass>::Take(
     vtkTranslucencyFactory::CreateTechnique(wanted["technique"].get<std::string>()));
   if (auto* own = vtkTranslucencyPass::SafeDownCast(technique))

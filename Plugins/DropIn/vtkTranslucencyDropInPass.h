@@ -2,8 +2,8 @@
  * @class   vtkTranslucencyDropInPass
  * @brief   a depth peeling pass that draws by another technique
  *
- * To whoever made it, it is a vtkDualDepthPeelingPass; MaximumNumberOfPeels and OcclusionRatio mean nothing to it. Volumes are drawn among
- * the surfaces where it was given a VolumetricPass, as depth peeling does.
+ * To whoever made it, it is a vtkDualDepthPeelingPass; MaximumNumberOfPeels and OcclusionRatio mean nothing to it.
+ * Volumes are drawn among the surfaces where it was given a VolumetricPass, as depth peeling does.
  */
 #ifndef vtkTranslucencyDropInPass_h
 #define vtkTranslucencyDropInPass_h

@@ -1,6 +1,6 @@
 /**
- * Module/Shaders/Fourier and OpacityShadowMap, compiled as C++: the text that the GPU runs, once for each number of terms
- * that CMakeLists.txt lists and of channels.
+ * Module/Shaders/Fourier and OpacityShadowMap, compiled as C++: the text that the GPU runs, once for each number of
+ * terms that CMakeLists.txt lists and of channels.
  */
 #ifndef AbsorbanceShader_h
 #define AbsorbanceShader_h
@@ -20,7 +20,8 @@ struct AbsorbanceVariant
   std::string Technique; // Fourier or Slices
   int Terms;             // pairs of cosine and sine, or slices
   int Channels;
-  std::vector<float> (*GetVisibilities)(const std::vector<Absorber>&); // of each, in its last channel; what hides in the others is different
+  std::vector<float> (*GetVisibilities)(
+    const std::vector<Absorber>&); // of each, in its last channel; what hides in the others is different
 };
 
 /// All that were compiled.

@@ -33,8 +33,7 @@ bool Covers(const Rectangle& rectangle, int x, int y)
 }
 
 /// The places where the picture may change, along one axis.
-std::vector<int> Borders(
-  const AnalyticScene& scene, int Rectangle::*low, int Rectangle::*high, int size)
+std::vector<int> Borders(const AnalyticScene& scene, int Rectangle::*low, int Rectangle::*high, int size)
 {
   std::set<int> borders = { 0, size };
   const auto add = [&](const Rectangle& rectangle)
@@ -101,8 +100,7 @@ Reference::Color PaintChannels(
     Reference::Pixel pixel = composite(fragments);
     for (double& color : pixel.Rgb)
     {
-      color = std::min(
-        color, 1.0); // as a framebuffer of bytes does before it blends; Overestimate can pass 1
+      color = std::min(color, 1.0); // as a framebuffer of bytes does before it blends; Overestimate can pass 1
     }
     return pixel.Over(opaque);
   };
@@ -142,8 +140,8 @@ vtkSmartPointer<vtkPolyData> MakeQuads(const Layer& layer)
 vtkSmartPointer<vtkActor> MakeActor(const Layer& layer)
 {
   const bool one = layer.size() == 1; // else the cells have their colours
-  auto actor = NewUnlitActor(MakeQuads(layer), one ? layer.front().Rgb : Reference::Color{ { 1, 1, 1 } },
-    one ? layer.front().Alpha : 1);
+  auto actor = NewUnlitActor(
+    MakeQuads(layer), one ? layer.front().Rgb : Reference::Color{ { 1, 1, 1 } }, one ? layer.front().Alpha : 1);
   const Reference::Color& transmission = layer.front().Transmission;
   if (Transmits(layer.front()))
   {
@@ -165,8 +163,8 @@ AnalyticScene Rounded(AnalyticScene scene, double (*round)(double))
   return scene;
 }
 
-/// Depths without repetition, in no order, in front of the farthest and none of them in the very middle: there is opaque
-/// geometry.
+/// Depths without repetition, in no order, in front of the farthest and none of them in the very middle: there is
+/// opaque geometry.
 std::vector<double> RandomDepths(std::mt19937& random, int count)
 {
   std::uniform_int_distribution<int> step(1, DepthSteps - 2);
@@ -328,9 +326,8 @@ AnalyticScene AnalyticScene::MeanTransmission() const
 //------------------------------------------------------------------------------
 AnalyticScene AnalyticScene::RoundedToHalf() const
 {
-  return Rounded(*this,
-    [](double value) -> double
-    { return glm::unpackHalf1x16(glm::packHalf1x16(static_cast<float>(value))); });
+  return Rounded(
+    *this, [](double value) -> double { return glm::unpackHalf1x16(glm::packHalf1x16(static_cast<float>(value))); });
 }
 
 //------------------------------------------------------------------------------
@@ -340,8 +337,7 @@ AnalyticScene AnalyticScene::RoundedToBytes() const
 }
 
 //------------------------------------------------------------------------------
-AnalyticScene RandomLayers(
-  int width, int height, unsigned int seed, int layers, double leastAlpha, double mostAlpha)
+AnalyticScene RandomLayers(int width, int height, unsigned int seed, int layers, double leastAlpha, double mostAlpha)
 {
   AnalyticScene scene;
   scene.Width = width;
@@ -351,8 +347,7 @@ AnalyticScene RandomLayers(
   {
     scene.Opaque.push_back({ x, 0, x + 2 * Cell, scene.Height, Farthest, { { 0.8, 0.6, 0 } }, 1 });
   }
-  scene.Opaque.push_back(
-    { width / 4, height / 4, width / 2, 3 * height / 4, 0.5, { { 1, 1, 1 } }, 1 });
+  scene.Opaque.push_back({ width / 4, height / 4, width / 2, 3 * height / 4, 0.5, { { 1, 1, 1 } }, 1 });
 
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -370,8 +365,7 @@ AnalyticScene RandomLayers(
 }
 
 //------------------------------------------------------------------------------
-AnalyticScene RandomMosaic(
-  int width, int height, unsigned int seed, int fragments, double leastAlpha, double mostAlpha)
+AnalyticScene RandomMosaic(int width, int height, unsigned int seed, int fragments, double leastAlpha, double mostAlpha)
 {
   AnalyticScene scene;
   scene.Width = width;
@@ -388,10 +382,8 @@ AnalyticScene RandomMosaic(
       const std::vector<double> depths = RandomDepths(random, fragments);
       for (std::size_t i = 0; i < depths.size(); ++i)
       {
-        const Reference::Color color{ { level(random) / 255.0, level(random) / 255.0,
-          level(random) / 255.0 } };
-        scene.Translucent[i].push_back(
-          { x, y, x + Cell, y + Cell, depths[i], color, opacity(random) / 255.0 });
+        const Reference::Color color{ { level(random) / 255.0, level(random) / 255.0, level(random) / 255.0 } };
+        scene.Translucent[i].push_back({ x, y, x + Cell, y + Cell, depths[i], color, opacity(random) / 255.0 });
       }
     }
   }

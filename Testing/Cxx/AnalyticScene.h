@@ -34,8 +34,8 @@ struct Rectangle
   Reference::Color Transmission{ { 0, 0, 0 } }; // an actor has one: that of its first rectangle
 };
 
-/// Rectangles that are drawn by one actor, in this order. Where there are several, colours and opacities are multiples of
-/// 1/255, since VTK keeps those of cells in bytes.
+/// Rectangles that are drawn by one actor, in this order. Where there are several, colours and opacities are multiples
+/// of 1/255, since VTK keeps those of cells in bytes.
 using Layer = std::vector<Rectangle>;
 
 /// How a pixel's translucent fragments, in the order of drawing, become its colour.
@@ -45,18 +45,18 @@ struct AnalyticScene
 {
   int Width = 400;
   int Height = 300;
-  Reference::Color Background{ { 0, 0,
-    0 } }; // multiples of 1/255: the framebuffer holds it in bytes
+  Reference::Color Background{ { 0, 0, 0 } }; // multiples of 1/255: the framebuffer holds it in bytes
   std::vector<Rectangle> Opaque;
   std::vector<Layer> Translucent; // in the order of drawing
 
   /// How a pixel's translucent rectangles, in the order of drawing, and what is opaque behind them become its colour.
-  using Painter = std::function<Reference::Color(const std::vector<Rectangle>& covering, const Reference::Color& opaque)>;
+  using Painter =
+    std::function<Reference::Color(const std::vector<Rectangle>& covering, const Reference::Color& opaque)>;
 
   Picture Compute(const Painter& paint) const;
 
-  /// The picture as it should be. With transmission colours each channel is composited by itself: a surface of opacity a and transmission t is
-  /// one of opacity a * (1 - t) that adds as much light.
+  /// The picture as it should be. With transmission colours each channel is composited by itself: a surface of opacity
+  /// a and transmission t is one of opacity a * (1 - t) that adds as much light.
   Picture Compute(const Compositor& composite) const;
 
   /// Adds the actors and sets background and camera.
@@ -76,10 +76,9 @@ struct AnalyticScene
   AnalyticScene RoundedToBytes() const;
 };
 
-/// Layers of random depth, colour and draw order, two thirds of them as large as the view, over a background of stripes and
-/// with an opaque rectangle in the middle of the depths.
-AnalyticScene RandomLayers(
-  int width, int height, unsigned int seed, int layers, double leastAlpha, double mostAlpha);
+/// Layers of random depth, colour and draw order, two thirds of them as large as the view, over a background of stripes
+/// and with an opaque rectangle in the middle of the depths.
+AnalyticScene RandomLayers(int width, int height, unsigned int seed, int layers, double leastAlpha, double mostAlpha);
 
 /// Every cell of a grid has fragments of its own, uniform in depth, colour and opacity, over black.
 AnalyticScene RandomMosaic(

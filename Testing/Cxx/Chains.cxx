@@ -129,10 +129,12 @@ std::vector<Chain> Chains()
     if (outer.Wrap != WrapSSAO)
     {
       chains.push_back({ std::string(outer.Name) + "Over" + inner.Name,
-        [outer, inner](vtkRenderPass* pass) { return outer.Wrap(inner.Wrap(Steps(pass))); }, std::max(outer.Bound, inner.Bound), true });
+        [outer, inner](vtkRenderPass* pass) { return outer.Wrap(inner.Wrap(Steps(pass))); },
+        std::max(outer.Bound, inner.Bound), true });
     }
   }
-  chains.push_back({ "SSAAOverShadows", [](vtkRenderPass* pass) { return Wrap<vtkSSAAPass>(Shadows(pass)); }, 2, true });
+  chains.push_back(
+    { "SSAAOverShadows", [](vtkRenderPass* pass) { return Wrap<vtkSSAAPass>(Shadows(pass)); }, 2, true });
   chains.push_back({ "SSAOOverHiddenLines", [](vtkRenderPass* pass) { return WrapSSAO(HiddenLines(pass)); }, 2, true });
   return chains;
 }

@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-
 /// A pass that draws what another one gives it.
 template <typename Pass>
 vtkSmartPointer<Pass> Around(vtkRenderPass* inner)
@@ -38,8 +37,8 @@ struct Chain
 
 void PrintTo(const Chain& chain, std::ostream* os);
 
-/// Each of VTK's passes, and each around another one; vtkSSAOPass only within others and around the steps: VTK leaves its positions undefined where the
-/// passes in it draw to framebuffers of their own.
+/// Each of VTK's passes, and each around another one; vtkSSAOPass only within others and around the steps: VTK leaves
+/// its positions undefined where the passes in it draw to framebuffers of their own.
 std::vector<Chain> Chains();
 
 #endif

@@ -21,7 +21,8 @@ std::vector<std::string> TakeGLErrors();
 /// Whether zink draws: for what it can't do (Documentation/Drivers.md).
 bool IsZink();
 
-/// Whether the driver crashes in VTK's effect of this name in that window (Documentation/Drivers.md). May draw in it, to have a context.
+/// Whether the driver crashes in VTK's effect of this name in that window (Documentation/Drivers.md). May draw in it,
+/// to have a context.
 bool CrashesIn(const std::string& effect, vtkRenderWindow* window);
 
 #endif

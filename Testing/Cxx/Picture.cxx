@@ -50,8 +50,8 @@ PictureDifference Compare(const Picture& a, const Picture& b)
   result.RootMeanSquare = std::sqrt(squares / static_cast<double>(a.Rgb.size())) / 255;
   const std::size_t pixel = worst / 3;
   std::ostringstream where;
-  where << "x " << pixel % a.Width << ", y " << pixel / a.Width << ", channel " << worst % 3 << ": "
-        << a.Rgb[worst] << " and " << b.Rgb[worst];
+  where << "x " << pixel % a.Width << ", y " << pixel / a.Width << ", channel " << worst % 3 << ": " << a.Rgb[worst]
+        << " and " << b.Rgb[worst];
   result.Where = where.str();
   return result;
 }

@@ -17,10 +17,7 @@ struct Picture
   int Height = 0;
   std::vector<double> Rgb;
 
-  double At(int x, int y, int channel) const
-  {
-    return this->Rgb[3 * (y * this->Width + x) + channel];
-  }
+  double At(int x, int y, int channel) const { return this->Rgb[3 * (y * this->Width + x) + channel]; }
 
   bool operator==(const Picture& other) const
   {

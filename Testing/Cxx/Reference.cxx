@@ -37,8 +37,8 @@ double VisibilityFunction::AfterNodes(std::size_t count) const
 //------------------------------------------------------------------------------
 void VisibilityFunction::Insert(double depth, double alpha)
 {
-  const auto at = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), depth,
-    [](double z, const Node& node) { return z < node.Depth; });
+  const auto at = std::upper_bound(
+    this->Nodes.begin(), this->Nodes.end(), depth, [](double z, const Node& node) { return z < node.Depth; });
   const std::size_t index = static_cast<std::size_t>(at - this->Nodes.begin());
   this->Nearest = std::min(this->Nearest, depth);
   this->Farthest = std::max(this->Farthest, depth);
@@ -170,8 +170,8 @@ std::pair<std::size_t, bool> VisibilityFunction::PassNext(double depth)
 Pixel CompositeExact(std::vector<Fragment> fragments)
 {
   // Stable: of equal depths, the one drawn first is blended first, and so is behind.
-  std::stable_sort(fragments.begin(), fragments.end(),
-    [](const Fragment& a, const Fragment& b) { return a.Depth > b.Depth; });
+  std::stable_sort(
+    fragments.begin(), fragments.end(), [](const Fragment& a, const Fragment& b) { return a.Depth > b.Depth; });
   Pixel pixel;
   for (const Fragment& fragment : fragments)
   {
@@ -193,8 +193,8 @@ Pixel CompositeIterative(const std::vector<Fragment>& fragments)
     double visibility = 1;
     for (std::size_t j = 0; j < fragments.size(); ++j)
     {
-      const bool inFront = fragments[j].Depth < fragments[i].Depth ||
-        (fragments[j].Depth == fragments[i].Depth && j > i);
+      const bool inFront =
+        fragments[j].Depth < fragments[i].Depth || (fragments[j].Depth == fragments[i].Depth && j > i);
       visibility *= inFront ? 1 - fragments[j].Alpha : 1;
     }
     for (std::size_t c = 0; c < 3; ++c)
@@ -216,7 +216,8 @@ static void Correct(Pixel& pixel, double weights)
 }
 
 //------------------------------------------------------------------------------
-Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected, double levels)
+Pixel CompositeAdaptive(
+  const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected, double levels)
 {
   VisibilityFunction visibility(nodeCount, removal, corrected);
   for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
@@ -233,7 +234,8 @@ Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, R
   double weights = 0;
   for (auto fragment = fragments.rbegin(); fragment != fragments.rend(); ++fragment)
   {
-    const double before = byMeans ? visibility.MeanBeforeNext(fragment->Depth, fragment->Alpha) : visibility.BeforeNext(fragment->Depth);
+    const double before =
+      byMeans ? visibility.MeanBeforeNext(fragment->Depth, fragment->Alpha) : visibility.BeforeNext(fragment->Depth);
     const double weight = before * fragment->Alpha;
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -250,7 +252,8 @@ Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, R
 }
 
 //------------------------------------------------------------------------------
-Pixel CompositeToTolerance(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, double tolerance, int* nodes)
+Pixel CompositeToTolerance(
+  const std::vector<Fragment>& fragments, int nodeCount, Removal removal, double tolerance, int* nodes)
 {
   constexpr int mostNodes = 64;
   std::set<double> depths;
@@ -320,8 +323,8 @@ Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail t
   double opacities = 0;
   for (const Fragment& fragment : fragments)
   {
-    const auto place = std::find_if(
-      kept.begin(), kept.end(), [&](const Layer& layer) { return fragment.Depth <= layer.Depth; });
+    const auto place =
+      std::find_if(kept.begin(), kept.end(), [&](const Layer& layer) { return fragment.Depth <= layer.Depth; });
     const Pixel content = CompositeExact({ fragment });
     kept.insert(place, { fragment.Depth, bytes ? RoundToBytes(content) : content });
     if (static_cast<int>(kept.size()) <= layers)
@@ -442,8 +445,8 @@ double SliceShare(int slices, double at, double before)
 }
 
 //------------------------------------------------------------------------------
-Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Share& share,
-  const std::vector<double>& range, bool corrected)
+Pixel CompositeAbsorbance(
+  const std::vector<Fragment>& fragments, const Share& share, const std::vector<double>& range, bool corrected)
 {
   double nearest = range.empty() ? 1 : range.front();
   double farthest = range.empty() ? 0 : range.back();

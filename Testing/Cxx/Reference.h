@@ -27,8 +27,7 @@ struct Fragment
 
 struct Pixel
 {
-  Color Rgb{ { 0, 0,
-    0 } }; // multiplied by what hides it; to be added to Transmittance times what lies behind
+  Color Rgb{ { 0, 0, 0 } }; // multiplied by what hides it; to be added to Transmittance times what lies behind
   double Transmittance = 1;
 
   /// The pixel in front of something opaque.
@@ -54,12 +53,12 @@ struct Node
 class VisibilityFunction
 {
 public:
-  /// Corrected: as with alpha correction, each rectangle that a removal may lose counts as wider by 1/256 of the distance from the first node to
-  /// the last.
+  /// Corrected: as with alpha correction, each rectangle that a removal may lose counts as wider by 1/256 of the
+  /// distance from the first node to the last.
   VisibilityFunction(int nodeCount, Removal removal, bool corrected = true, std::vector<Node> nodes = {});
 
-  /// Multiplies with the step of a fragment (Eq. 5), behind the nodes of the same depth; removes a node (Eq. 7) if there
-  /// are then too many.
+  /// Multiplies with the step of a fragment (Eq. 5), behind the nodes of the same depth; removes a node (Eq. 7) if
+  /// there are then too many.
   void Insert(double depth, double alpha);
 
   /// Rounds the nodes' transmittances to multiples of 1 / levels.
@@ -72,11 +71,13 @@ public:
   /// has a node of that depth more in front of it.
   double BeforeNext(double depth);
 
-  /// As BeforeNext, but for a fragment without a node of its own: the geometric mean of the transmittances before and behind the node in front of it,
-  /// but no less than behind it without the fragment itself, and no more than before it.
+  /// As BeforeNext, but for a fragment without a node of its own: the geometric mean of the transmittances before and
+  /// behind the node in front of it, but no less than behind it without the fragment itself, and no more than before
+  /// it.
   double MeanBeforeNext(double depth, double alpha);
 
-  /// The areas that removals have lost, over the distance between the nearest and the farthest fragment inserted; at most 1.
+  /// The areas that removals have lost, over the distance between the nearest and the farthest fragment inserted; at
+  /// most 1.
   double EstimateError() const;
 
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
@@ -96,7 +97,8 @@ private:
   std::map<double, std::size_t> Asked; // fragments of a depth that BeforeNext has answered
 };
 
-/// What a fragment of that opacity is seen through that is one of several without an order, from the transmittances before and behind them.
+/// What a fragment of that opacity is seen through that is one of several without an order, from the transmittances
+/// before and behind them.
 double MeanOf(double before, double behind, double alpha);
 
 /// Eq. 3: sort back to front, then blend one over the other.
@@ -108,25 +110,27 @@ Pixel CompositeIterative(const std::vector<Fragment>& fragments);
 /// How much of the absorbance at one relative depth, 0 to 1, is taken to be in front of another.
 using Share = std::function<double(double at, double before)>;
 
-/// The integral of a peak's Fourier series of so many pairs (Jansen and Bavoil 2010), with a margin of half a period of the next pair at both
-/// ends.
+/// The integral of a peak's Fourier series of so many pairs (Jansen and Bavoil 2010), with a margin of half a period of
+/// the next pair at both ends.
 double FourierShare(int coefficients, double at, double before);
 
 /// All, if the peak's slice lies before; within it, the part of the slice that does (Kim and Neumann 2001).
 double SliceShare(int slices, double at, double before);
 
-/// Eq. 2 with the absorbance of all other fragments by their shares. Depths are relative to a range, or to that of the fragments if it is empty.
-/// Corrected: scaled so that the weights add up to what is hidden.
-Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Share& share,
-  const std::vector<double>& range, bool corrected);
+/// Eq. 2 with the absorbance of all other fragments by their shares. Depths are relative to a range, or to that of the
+/// fragments if it is empty. Corrected: scaled so that the weights add up to what is hidden.
+Pixel CompositeAbsorbance(
+  const std::vector<Fragment>& fragments, const Share& share, const std::vector<double>& range, bool corrected);
 
-/// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first. Corrected: if there are more fragments
-/// than nodes, by means if the rule is Underestimate, and scaled so that the weights add up to what is hidden.
-/// levels, if not 0, rounds transmittances after each insertion to multiples of 1 / levels.
-Pixel CompositeAdaptive(const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected = true, double levels = 0);
+/// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first. Corrected:
+/// if there are more fragments than nodes, by means if the rule is Underestimate, and scaled so that the weights add up
+/// to what is hidden. levels, if not 0, rounds transmittances after each insertion to multiples of 1 / levels.
+Pixel CompositeAdaptive(
+  const std::vector<Fragment>& fragments, int nodeCount, Removal removal, bool corrected = true, double levels = 0);
 
-/// The same for those fragments and with the number of nodes, of that many and twice as many each time up to 64, with which the estimated error is
-/// no more than tolerance; exactly where there is none, or where fragments coincide. nodes, if not null, becomes that number, or 64 for exactly.
+/// The same for those fragments and with the number of nodes, of that many and twice as many each time up to 64, with
+/// which the estimated error is no more than tolerance; exactly where there is none, or where fragments coincide.
+/// nodes, if not null, becomes that number, or 64 for exactly.
 Pixel CompositeToTolerance(
   const std::vector<Fragment>& fragments, int nodeCount, Removal removal, double tolerance, int* nodes = nullptr);
 
@@ -137,9 +141,9 @@ enum class Tail
   Average
 };
 
-/// The nearest fragments exactly, of each moment of the drawing; what was too much then is merged into the farthest of them (Salvi and
-/// Vaidyanathan 2014), dropped (Bavoil et al. 2007) or averaged (Maule et al. 2013). In bytes, a layer's colour and opacity are rounded to 1/255
-/// when it comes, and when it is merged.
+/// The nearest fragments exactly, of each moment of the drawing; what was too much then is merged into the farthest of
+/// them (Salvi and Vaidyanathan 2014), dropped (Bavoil et al. 2007) or averaged (Maule et al. 2013). In bytes, a
+/// layer's colour and opacity are rounded to 1/255 when it comes, and when it is merged.
 Pixel CompositeLayers(const std::vector<Fragment>& fragments, int layers, Tail tail, bool bytes = false);
 
 /// Meshkin 2007: sums, of which the transmittance can't be less than 0 in a framebuffer of bytes.

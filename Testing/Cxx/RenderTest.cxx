@@ -38,8 +38,8 @@ MessageLog* Log()
   return log;
 }
 
-/// Stays connected to the display while tests come and go: an X server that loses its last client resets itself, and turns
-/// away who comes in meanwhile.
+/// Stays connected to the display while tests come and go: an X server that loses its last client resets itself, and
+/// turns away who comes in meanwhile.
 class Display : public testing::Environment
 {
 public:
@@ -160,8 +160,9 @@ void PrintTo(const Way& way, std::ostream* os)
 //------------------------------------------------------------------------------
 std::vector<Way> AllWays()
 {
-  std::vector<Way> ways{ { "adaptive", "memory", "fixed" }, { "fourier", "memory", "fixed" }, { "shadowmap", "memory", "fixed" },
-    { "peel", "method", "front-to-back" }, { "peel", "method", "bucket-sort" }, { "sorted", "order", "centroid" } };
+  std::vector<Way> ways{ { "adaptive", "memory", "fixed" }, { "fourier", "memory", "fixed" },
+    { "shadowmap", "memory", "fixed" }, { "peel", "method", "front-to-back" }, { "peel", "method", "bucket-sort" },
+    { "sorted", "order", "centroid" } };
   for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
   {
     ways.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });

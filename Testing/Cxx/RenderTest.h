@@ -1,5 +1,6 @@
 /**
- * What tests that draw have in common: off-screen views, and VTK's messages, which fail a test that did not expect them.
+ * What tests that draw have in common: off-screen views, and VTK's messages, which fail a test that did not expect
+ * them.
  */
 #ifndef RenderTest_h
 #define RenderTest_h
@@ -58,8 +59,8 @@ protected:
 /// True if the driver behind a view that has rendered keeps the order of drawing among the fragments of a pixel.
 bool KeepsDrawOrder(View& view);
 
-/// Adds a lit, translucent ball of radius 60 and depth 0.6 at these coordinates. As impostors it is drawn by its points as spheres,
-/// whose shaders set gl_FragDepth.
+/// Adds a lit, translucent ball of radius 60 and depth 0.6 at these coordinates. As impostors it is drawn by its points
+/// as spheres, whose shaders set gl_FragDepth.
 void AddBall(vtkRenderer* renderer, bool impostors, double x, double y, double z);
 
 /// Keywords and values of a technique's options.

@@ -8,8 +8,8 @@
 
 #include <vtkActor.h>
 
-/// An opaque wall with a ball and a wireframe before it, and two translucent quads that hide a part of each, side by side. Others, behind and before
-/// them, can be shown, with which the order matters.
+/// An opaque wall with a ball and a wireframe before it, and two translucent quads that hide a part of each, side by
+/// side. Others, behind and before them, can be shown, with which the order matters.
 class Room
 {
 public:

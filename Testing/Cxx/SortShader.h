@@ -1,6 +1,6 @@
 /**
- * Module/Shaders/Common/SortBlock.glsl, compiled as C++, once for each size of a block, number of channels and order among fragments
- * of equal depth.
+ * Module/Shaders/Common/SortBlock.glsl, compiled as C++, once for each size of a block, number of channels and order
+ * among fragments of equal depth.
  */
 #ifndef SortShader_h
 #define SortShader_h
@@ -13,7 +13,7 @@ struct SortedFragment
 {
   float Depth;
   std::uint32_t Color[3]; // the third word with three channels only
-  std::uint32_t Node; // where the fragment was before sorting, from 1
+  std::uint32_t Node;     // where the fragment was before sorting, from 1
 };
 
 struct SortVariant
@@ -22,10 +22,9 @@ struct SortVariant
   int Channels;
   std::string Order; // among equals: "Drawn", "Content" or "None"
 
-  /// Sorts up to BlockSize fragments; gives back the block's elements in use, in their order, and whether two of them are at
-  /// one depth.
-  std::vector<SortedFragment> (*Sort)(
-    const std::vector<SortedFragment>& fragments, bool& equalDepths);
+  /// Sorts up to BlockSize fragments; gives back the block's elements in use, in their order, and whether two of them
+  /// are at one depth.
+  std::vector<SortedFragment> (*Sort)(const std::vector<SortedFragment>& fragments, bool& equalDepths);
 };
 
 /// All that were compiled.

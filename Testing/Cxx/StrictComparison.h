@@ -1,6 +1,6 @@
 /**
- * A comparison of pictures that sees what VTK's does not: VTK 9.1 averages after a shift by two pixels and takes a picture dimmed
- * to 80 % for the same.
+ * A comparison of pictures that sees what VTK's does not: VTK 9.1 averages after a shift by two pixels and takes a
+ * picture dimmed to 80 % for the same.
  */
 #ifndef StrictComparison_h
 #define StrictComparison_h

@@ -1,4 +1,5 @@
-// Visibility from sums of absorbance: the shaders' own text on the CPU, against the reference in double precision and against what theory says.
+// Visibility from sums of absorbance: the shaders' own text on the CPU, against the reference in double precision and
+// against what theory says.
 #include "AbsorbanceShader.h"
 #include "Reference.h"
 
@@ -49,7 +50,8 @@ TEST_P(TestAbsorbance, IsThatOfTheReference)
       double inFront = 0;
       for (std::size_t j = 0; j < absorbers.size(); ++j)
       {
-        inFront += j == i ? 0 : Absorbance(absorbers[j]) * share(GetParam().Terms, absorbers[j].Depth, absorbers[i].Depth);
+        inFront +=
+          j == i ? 0 : Absorbance(absorbers[j]) * share(GetParam().Terms, absorbers[j].Depth, absorbers[i].Depth);
       }
       EXPECT_NEAR(visibilities[i], std::exp(-std::max(0.0, inFront)), 1e-4) << "seed " << seed << ", fragment " << i;
     }
@@ -99,7 +101,8 @@ TEST_P(TestAbsorbance, OpaqueFragmentsHideWhatIsBehind)
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, TestAbsorbance, testing::ValuesIn(AbsorbanceVariants()),
-  [](const auto& info) { return info.param.Technique + std::to_string(info.param.Terms) + (info.param.Channels == 3 ? "Colored" : ""); });
+  [](const auto& info)
+  { return info.param.Technique + std::to_string(info.param.Terms) + (info.param.Channels == 3 ? "Colored" : ""); });
 
 //------------------------------------------------------------------------------
 // More terms come nearer to the truth: mean distance from the exact visibility over many pixels.
@@ -140,7 +143,8 @@ TEST(TestAbsorbanceOf, MoreTermsIsNearerToExact)
 }
 
 //------------------------------------------------------------------------------
-// The first and the last fragment lie at the ends of the grid: nothing is in front of one, everything else in front of the other.
+// The first and the last fragment lie at the ends of the grid: nothing is in front of one, everything else in front of
+// the other.
 TEST(TestAbsorbanceOf, EndsOfTheGridAreExact)
 {
   for (const AbsorbanceVariant& variant : AbsorbanceVariants())

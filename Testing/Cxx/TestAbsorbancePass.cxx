@@ -116,7 +116,8 @@ protected:
       }
       std::sort(range.begin(), range.end());
     }
-    return [share = technique.Share, range, corrected = setup.Corrected](const std::vector<Reference::Fragment>& fragments)
+    return
+      [share = technique.Share, range, corrected = setup.Corrected](const std::vector<Reference::Fragment>& fragments)
     { return Reference::CompositeAbsorbance(fragments, share, range, corrected); };
   }
 
@@ -178,7 +179,8 @@ TEST_P(TestAbsorbancePass, OpaqueFragmentHidesWhatIsBehind)
 {
   AnalyticScene scene;
   scene.Background = { { 1, 1, 1 } };
-  scene.Translucent = { { { 0, 0, 400, 300, 0.75, { { 1, 1, 1 } }, 0.5 } }, { { 50, 50, 350, 250, 0.25, { { 0.2, 0.4, 0 } }, 1 } } };
+  scene.Translucent = { { { 0, 0, 400, 300, 0.75, { { 1, 1, 1 } }, 0.5 } },
+    { { 50, 50, 350, 250, 0.25, { { 0.2, 0.4, 0 } }, 1 } } };
   const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(Reference::CompositeExact));
   EXPECT_LE(difference.Largest, 1) << difference;
 }
@@ -192,7 +194,8 @@ TEST_P(TestAbsorbancePass, OrderOfDrawingChangesNothing)
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestAbsorbancePass,
-  testing::Combine(testing::Values(Fourier(1), Fourier(4), Fourier(15), Slices(5), Slices(32)), testing::ValuesIn(Setups())),
+  testing::Combine(
+    testing::Values(Fourier(1), Fourier(4), Fourier(15), Slices(5), Slices(32)), testing::ValuesIn(Setups())),
   [](const auto& info) { return std::get<0>(info.param).Name + std::get<1>(info.param).GetName(); });
 
 //------------------------------------------------------------------------------
@@ -213,7 +216,8 @@ TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
       const Picture lists = view.Render();
       pass->SetMemory(vtkAbsorbancePass::Fixed);
       const PictureDifference difference = Compare(lists, view.Render());
-      EXPECT_LE(difference.Largest, samples > 1 ? 4 : 2) << technique.Name << ", " << samples << " samples: " << difference;
+      EXPECT_LE(difference.Largest, samples > 1 ? 4 : 2)
+        << technique.Name << ", " << samples << " samples: " << difference;
       EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 3);
       pass->SetBounds(vtkAbsorbancePass::Props);
       view.Render();
@@ -223,7 +227,8 @@ TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
 }
 
 //------------------------------------------------------------------------------
-// Longer than what registers take, and not taken for lists that have to be sorted: theory is told from the exact picture.
+// Longer than what registers take, and not taken for lists that have to be sorted: theory is told from the exact
+// picture.
 TEST_F(TestAbsorbancePassOf, LongListsAreWhole)
 {
   AnalyticScene scene = RandomLayers(16, 12, 19, 1500, 0.001, 0.02);
@@ -242,7 +247,8 @@ TEST_F(TestAbsorbancePassOf, LongListsAreWhole)
 }
 
 //------------------------------------------------------------------------------
-// Depths are linear in a perspective, too: both rectangles fill the view, at the ends of the range of the props as of the fragments.
+// Depths are linear in a perspective, too: both rectangles fill the view, at the ends of the range of the props as of
+// the fragments.
 TEST_F(TestAbsorbancePassOf, PropsBoundsHoldInPerspective)
 {
   for (int memory : { vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Variable })
@@ -269,8 +275,8 @@ TEST_F(TestAbsorbancePassOf, PropsBoundsHoldInPerspective)
     pass->SetBounds(vtkAbsorbancePass::Props);
     EXPECT_LE(Compare(view.Render(), ofFragments).Largest, 1);
 
-    const std::vector<Reference::Fragment> fragments = { { 0, { { 1, 0.5, 0 } }, 0.6 }, { 0.3, { { 0.7, 0.5, 0.3 } }, 0.6 },
-      { 1, { { 0, 0.5, 1 } }, 0.6 } };
+    const std::vector<Reference::Fragment> fragments = { { 0, { { 1, 0.5, 0 } }, 0.6 },
+      { 0.3, { { 0.7, 0.5, 0.3 } }, 0.6 }, { 1, { { 0, 0.5, 1 } }, 0.6 } };
     const Reference::Pixel expected = Reference::CompositeAbsorbance(fragments, Fourier(4).Share, {}, true);
     for (int channel = 0; channel < 3; ++channel)
     {
@@ -280,7 +286,8 @@ TEST_F(TestAbsorbancePassOf, PropsBoundsHoldInPerspective)
 }
 
 //------------------------------------------------------------------------------
-// A prop that does not count, nor one that is out of sight, must not widen the range; one behind the camera must not turn it round.
+// A prop that does not count, nor one that is out of sight, must not widen the range; one behind the camera must not
+// turn it round.
 TEST_F(TestAbsorbancePassOf, HiddenPropsDoNotWidenTheRange)
 {
   const AnalyticScene scene = RandomLayers(100, 80, 20, 10, 0.2, 0.6);

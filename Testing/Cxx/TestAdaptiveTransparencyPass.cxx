@@ -131,18 +131,19 @@ TEST_F(TestErrorEstimate, IsDrawnAsComputedLikeTheNodes)
       for (int samples : { 0, 4 })
       {
         View view(scene, samples);
-        for (const auto& [nodes, rule] : { std::pair(1, Removal::Underestimate), std::pair(5, Removal::Overestimate),
-               std::pair(8, Removal::Mixed) })
+        for (const auto& [nodes, rule] :
+          { std::pair(1, Removal::Underestimate), std::pair(5, Removal::Overestimate), std::pair(8, Removal::Mixed) })
         {
           const auto pass = NewAdaptive(nodes, rule);
           pass->SetMemory(memory);
           view.SetPass(pass);
           for (int show : { Adaptive::Error, Adaptive::Nodes })
           {
-            SCOPED_TRACE(std::to_string(scene.Translucent.size()) + " " + std::to_string(memory) + " " + std::to_string(samples) + " " +
-              std::to_string(nodes) + " " + std::to_string(show));
+            SCOPED_TRACE(std::to_string(scene.Translucent.size()) + " " + std::to_string(memory) + " " +
+              std::to_string(samples) + " " + std::to_string(nodes) + " " + std::to_string(show));
             pass->SetShow(show);
-            const PictureDifference difference = Compare(view.Render(), scene.Compute(Shown(show, memory, nodes, rule)));
+            const PictureDifference difference =
+              Compare(view.Render(), scene.Compute(Shown(show, memory, nodes, rule)));
             EXPECT_LE(difference.Largest, Bound) << difference;
             EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
           }
@@ -156,7 +157,8 @@ TEST_F(TestErrorEstimate, IsDrawnAsComputedLikeTheNodes)
 TEST_F(TestErrorEstimate, IsBlackWithAsManyNodesAsFragments)
 {
   const AnalyticScene scene = RandomLayers(100, 75, 8, 16, 0.02, 0.8);
-  const Picture black = scene.Compute([](const std::vector<Fragment>& fragments) { return fragments.empty() ? Reference::Pixel{} : Grey(0); });
+  const Picture black = scene.Compute(
+    [](const std::vector<Fragment>& fragments) { return fragments.empty() ? Reference::Pixel{} : Grey(0); });
   for (int memory : { Adaptive::Variable, Adaptive::Fixed })
   {
     const auto pass = NewAdaptive(16, Removal::Underestimate);
@@ -182,8 +184,8 @@ TEST_F(TestTolerance, GivesThePictureAndTheNodesThatAreComputed)
       View view(scene, samples);
       for (const auto& [nodes, tolerance] : { std::pair(1, 0.02), std::pair(4, 0.001), std::pair(24, 1e-7) })
       {
-        SCOPED_TRACE(std::to_string(scene.Translucent.size()) + " " + std::to_string(samples) + " " + std::to_string(nodes) + " " +
-          std::to_string(tolerance));
+        SCOPED_TRACE(std::to_string(scene.Translucent.size()) + " " + std::to_string(samples) + " " +
+          std::to_string(nodes) + " " + std::to_string(tolerance));
         const auto pass = NewAdaptive(nodes, Removal::Underestimate);
         pass->SetTolerance(tolerance);
         view.SetPass(pass);
@@ -236,7 +238,8 @@ TEST_F(TestTolerance, SmallerIsNeverFartherFromExact)
       {
         double Tolerance;
         double Largest; // of 255
-      } limits[] = { { 0.1, 45 }, { 0.03, 35 }, { 0.01, 25 }, { 0.003, 15 }, { 0.001, 10 }, { 0.0001, 8 }, { 1e-6, 2 } };
+      } limits[] = { { 0.1, 45 }, { 0.03, 35 }, { 0.01, 25 }, { 0.003, 15 }, { 0.001, 10 }, { 0.0001, 8 },
+        { 1e-6, 2 } };
       for (const auto& limit : limits)
       {
         pass->SetTolerance(limit.Tolerance);
@@ -314,7 +317,8 @@ TEST_F(TestAlphaCorrection, OfManyAlikeGivesTheirColor)
       View view(*scene, samples);
       for (int memory : { Adaptive::Variable, Adaptive::Fixed })
       {
-        SCOPED_TRACE(std::string(scene == &stack ? "one channel " : "three channels ") + std::to_string(samples) + " " + std::to_string(memory));
+        SCOPED_TRACE(std::string(scene == &stack ? "one channel " : "three channels ") + std::to_string(samples) + " " +
+          std::to_string(memory));
         const Picture drawn = DrawCorrected(view, memory, 8, true);
         EXPECT_LE(Compare(drawn, exact).Largest, 1);
         for (int c = 0; scene == &stack && c < 3; ++c)
@@ -348,7 +352,8 @@ TEST_F(TestAlphaCorrection, ChangesNothingThatFits)
 }
 
 //------------------------------------------------------------------------------
-// Root of the mean square over pixels whose colours are random, fall with depth, or are alike. Documentation/Adaptive.md has more.
+// Root of the mean square over pixels whose colours are random, fall with depth, or are alike.
+// Documentation/Adaptive.md has more.
 struct CorrectedBound
 {
   int Fragments;
@@ -380,7 +385,9 @@ TEST_P(TestCorrectedPictures, AreNearToExact)
       for (Rectangle& rectangle : layer)
       {
         const double falling = std::round(255 * (1 - rectangle.Depth)) / 255;
-        rectangle.Rgb = colors == "random" ? rectangle.Rgb : colors == "falling" ? Reference::Color{ { falling, falling, falling } } : Reference::Color{ { 1, 1, 1 } };
+        rectangle.Rgb = colors == "random" ? rectangle.Rgb
+          : colors == "falling"            ? Reference::Color{ { falling, falling, falling } }
+                                           : Reference::Color{ { 1, 1, 1 } };
       }
     }
     const Picture exact = scene.Compute(Reference::CompositeExact);
@@ -389,7 +396,8 @@ TEST_P(TestCorrectedPictures, AreNearToExact)
     {
       for (bool corrected : { false, true })
       {
-        squares[i][corrected] += std::pow(Compare(DrawCorrected(view, Adaptive::Variable, 4 << i, corrected), exact).RootMeanSquare, 2) / 3;
+        squares[i][corrected] +=
+          std::pow(Compare(DrawCorrected(view, Adaptive::Variable, 4 << i, corrected), exact).RootMeanSquare, 2) / 3;
       }
     }
   }
@@ -404,12 +412,14 @@ TEST_P(TestCorrectedPictures, AreNearToExact)
 }
 
 INSTANTIATE_TEST_SUITE_P(Adaptive, TestCorrectedPictures,
-  testing::Values(CorrectedBound{ 64, 0.02, 0.3, { 0.02, 0.0065, 0.0022 } }, CorrectedBound{ 200, 0.02, 0.1, { 0.016, 0.006, 0.0027 } },
+  testing::Values(CorrectedBound{ 64, 0.02, 0.3, { 0.02, 0.0065, 0.0022 } },
+    CorrectedBound{ 200, 0.02, 0.1, { 0.016, 0.006, 0.0027 } },
     CorrectedBound{ 600, 0.01, 0.2, { 0.024, 0.0085, 0.003 } }),
   [](const auto& info) { return std::to_string(info.param.Fragments); });
 
 //------------------------------------------------------------------------------
-// By areas alone a cluster loses all nodes but one, if it is inserted after what lies far apart: 44 of 255, instead of 2.
+// By areas alone a cluster loses all nodes but one, if it is inserted after what lies far apart: 44 of 255, instead
+// of 2.
 TEST_F(TestAlphaCorrection, KeepsNodesOfNearlyCoincidentSurfaces)
 {
   AnalyticScene scene = RandomMosaic(60, 45, 15, 20, 0.02, 0.1);
@@ -427,7 +437,8 @@ TEST_F(TestAlphaCorrection, KeepsNodesOfNearlyCoincidentSurfaces)
   const Picture exact = scene.Compute(Reference::CompositeExact);
   for (int samples : { 0, 4 })
   {
-    for (const auto& [inserted, memory] : { std::pair(&scene, Adaptive::Fixed), std::pair(&reversed, Adaptive::Variable) })
+    for (const auto& [inserted, memory] :
+      { std::pair(&scene, Adaptive::Fixed), std::pair(&reversed, Adaptive::Variable) })
     {
       SCOPED_TRACE(std::to_string(samples) + " " + std::to_string(memory));
       View view(*inserted, samples);

@@ -1,5 +1,5 @@
-// Techniques against computed pictures: every technique with every format of fragments on every scene that is not too much
-// for it. A case more is a row more in Techniques(), Formats() or Scenes().
+// Techniques against computed pictures: every technique with every format of fragments on every scene that is not too
+// much for it. A case more is a row more in Techniques(), Formats() or Scenes().
 #include "RenderTest.h"
 
 #include <vtkFragmentStorage.h>
@@ -16,8 +16,7 @@ struct Technique
   std::string Name;
   std::function<vtkSmartPointer<vtkFragmentListPass>()> New;
   Compositor Compute;
-  double
-    Bound; // what it may differ from the picture computed for the fragments as stored, in units of 1/255
+  double Bound;          // what it may differ from the picture computed for the fragments as stored, in units of 1/255
   bool Exact;            // that picture is the true one, but for the rounding of fragments
   double MostOperations; // that a test may take, as pixels times fragments squared
 };
@@ -34,7 +33,7 @@ struct Scene
   std::string Name;
   std::function<AnalyticScene()> New;
   double HalfFloatBound; // what an exact picture may differ from the true one, in units of 1/255
-  double BytesBound; // the same with fragments in bytes; 0 if the opacities are too small for that
+  double BytesBound;     // the same with fragments in bytes; 0 if the opacities are too small for that
 };
 
 struct Case
@@ -53,8 +52,8 @@ void PrintTo(const Case& value, std::ostream* os)
 
 constexpr double NoLimit = 1e30;
 
-// A framebuffer of bytes rounds a picture by 0.5 where little of what is behind shows through. Where more does, blending
-// in bytes rounds colour, transmittance and product.
+// A framebuffer of bytes rounds a picture by 0.5 where little of what is behind shows through. Where more does,
+// blending in bytes rounds colour, transmittance and product.
 constexpr double ShowsThrough = 1.5;
 
 Technique Exact(int resolve, const std::string& name, double mostOperations)
@@ -82,7 +81,8 @@ Technique Paper(int nodeCount)
     pass->AlphaCorrectionOff();
     return pass;
   };
-  return { "Paper" + std::to_string(nodeCount), create, AdaptiveCompositor(nodeCount, Removal::Underestimate, false), 2, false, NoLimit };
+  return { "Paper" + std::to_string(nodeCount), create, AdaptiveCompositor(nodeCount, Removal::Underestimate, false), 2,
+    false, NoLimit };
 }
 
 std::vector<Technique> Techniques()
@@ -131,8 +131,7 @@ std::vector<Case> Cases()
   for (const Scene& scene : Scenes())
   {
     const AnalyticScene made = scene.New();
-    const double operations =
-      std::pow(static_cast<double>(made.Translucent.size()), 2) * made.Width * made.Height;
+    const double operations = std::pow(static_cast<double>(made.Translucent.size()), 2) * made.Width * made.Height;
     for (const Technique& technique : Techniques())
     {
       for (const Format& format : Formats())
@@ -184,5 +183,5 @@ TEST_P(TestAnalyticScenes, IsAsComputed)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Matrix, TestAnalyticScenes, testing::ValuesIn(Cases()),
-  [](const auto& info) { return info.param.GetName(); });
+INSTANTIATE_TEST_SUITE_P(
+  Matrix, TestAnalyticScenes, testing::ValuesIn(Cases()), [](const auto& info) { return info.param.GetName(); });

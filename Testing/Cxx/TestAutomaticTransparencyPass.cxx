@@ -1,4 +1,5 @@
-// A pass that chooses among the techniques: what it chooses within budgets, and that it draws what the chosen one draws.
+// A pass that chooses among the techniques: what it chooses within budgets, and that it draws what the chosen one
+// draws.
 #include "RenderTest.h"
 
 #include <vtkAutomaticTransparencyPass.h>
@@ -13,7 +14,8 @@
 
 namespace
 {
-// 16 bytes for each of 450,000 fragments and 4 for each pixel: 7 MiB in lists. 12 a pixel and layer, and 24: 2 MiB in 4 layers.
+// 16 bytes for each of 450,000 fragments and 4 for each pixel: 7 MiB in lists. 12 a pixel and layer, and 24: 2 MiB in 4
+// layers.
 AnalyticScene Scene()
 {
   return RandomLayers(200, 150, 2, 30, 0.1, 0.6);
@@ -271,7 +273,8 @@ TEST_F(TestAutomatic, RefusesOptionsOutOfRange)
     { "Tolerance is -0.5, expected", [&] { pass->SetTolerance(-0.5); } },
     { "tolerance is '2', expected", [&] { EXPECT_FALSE(pass->SetOption("tolerance", "2")); } },
     { "no option 'nodes', expected one of: budget_milliseconds, budget_mebibytes, tolerance",
-      [&] { EXPECT_FALSE(pass->SetOption("nodes", "8")); } } };
+      [&] { EXPECT_FALSE(pass->SetOption("nodes", "8")); } }
+  };
   const vtkMTimeType before = pass->GetMTime();
   for (const auto& one : refused)
   {

@@ -1,4 +1,5 @@
-// VTK's passes around ours: the same picture in every frame, no message, and what the same chain draws with VTK's own translucent pass.
+// VTK's passes around ours: the same picture in every frame, no message, and what the same chain draws with VTK's own
+// translucent pass.
 #include "Chains.h"
 #include "GLState.h"
 #include "RenderTest.h"
@@ -21,8 +22,8 @@
 
 namespace
 {
-/// VTK's translucent pass, which leaves all colour attachments but the first as they are, and blends where the passes around have turned that off, as
-/// vtkPanoramicProjectionPass does.
+/// VTK's translucent pass, which leaves all colour attachments but the first as they are, and blends where the passes
+/// around have turned that off, as vtkPanoramicProjectionPass does.
 class FirstAttachmentPass : public vtkTranslucentPass
 {
 public:
@@ -90,7 +91,8 @@ TEST_P(TestChains, FramesAreAlikeAndAsBlending)
   vtkNew<ExchangeablePass> current;
   room.Renderer->SetPass(chain.Make(current));
   current->Pass = vtkSmartPointer<FirstAttachmentPass>::New();
-  // With zink, VTK's shadows are those of the frame before, in multi-sampled windows, whatever draws what is translucent.
+  // With zink, VTK's shadows are those of the frame before, in multi-sampled windows, whatever draws what is
+  // translucent.
   room.ShowOthers(true);
   room.Render();
   room.ShowOthers(false);
@@ -217,9 +219,11 @@ public:
     glDeleteRenderbuffers(3, buffers.data());
   }
 
-  bool PostReplaceShaderValues(std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*) override
+  bool PostReplaceShaderValues(
+    std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*) override
   {
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl", "//VTK::Light::Impl\n  gl_FragData[1] = vec4(1.0);\n", false);
+    vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::Light::Impl", "//VTK::Light::Impl\n  gl_FragData[1] = vec4(1.0);\n", false);
     return true;
   }
 
@@ -239,7 +243,8 @@ private:
     std::vector<std::array<float, 4>> pixels(static_cast<std::size_t>(size[0]) * size[1]);
     glReadPixels(0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, pixels.data());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
-    return static_cast<int>(std::count_if(pixels.begin(), pixels.end(), [&value](const auto& pixel) { return pixel != value; }));
+    return static_cast<int>(
+      std::count_if(pixels.begin(), pixels.end(), [&value](const auto& pixel) { return pixel != value; }));
   }
 };
 vtkStandardNewMacro(TwoAttachmentsPass);
@@ -307,7 +312,8 @@ TEST_F(TestChainsOfFallbacks, DrawWithinSSAO)
 //------------------------------------------------------------------------------
 using TestChainsInWindows = RenderTest;
 
-// The passes around are released with their window: what changes the props' keys while it draws holds nothing in the end.
+// The passes around are released with their window: what changes the props' keys while it draws holds nothing in the
+// end.
 TEST_F(TestChainsInWindows, GoWithThem)
 {
   for (const Chain& chain : Chains())

@@ -70,8 +70,8 @@ Reference::Pixel CompositePeeled(
   std::vector<Reference::Fragment> between;
   for (const Reference::Fragment& fragment : fragments)
   {
-    const auto at = static_cast<std::size_t>(
-      std::lower_bound(sorted.begin(), sorted.end(), fragment.Depth) - sorted.begin());
+    const auto at =
+      static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), fragment.Depth) - sorted.begin());
     if (at >= front && at < layers.size() - back)
     {
       between.push_back(fragment);
@@ -115,7 +115,8 @@ AnalyticScene LayersAt(const std::vector<double>& depths, double alpha)
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     const auto level = [i](std::size_t step) { return static_cast<double>(i * step % 4) / 3; };
-    scene.Translucent.push_back({ { 0, 0, scene.Width, scene.Height, depths[i], { { level(1), level(3), level(5) } }, alpha } });
+    scene.Translucent.push_back(
+      { { 0, 0, scene.Width, scene.Height, depths[i], { { level(1), level(3), level(5) } }, alpha } });
   }
   return scene;
 }
@@ -237,8 +238,8 @@ TEST_P(TestDepthPeelOfSome, IsTheseLayersAndTheTail)
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestDepthPeelOfSome,
-  testing::Combine(testing::Values(FrontToBack, Dual, BucketSort), testing::Values(1, 4, 5, 100), testing::Values(Drop, Average),
-    testing::Values(0, 4)),
+  testing::Combine(testing::Values(FrontToBack, Dual, BucketSort), testing::Values(1, 4, 5, 100),
+    testing::Values(Drop, Average), testing::Values(0, 4)),
   [](const auto& info)
   {
     return MethodName(std::get<0>(info.param)) + std::to_string(std::get<1>(info.param)) +
@@ -256,9 +257,7 @@ TEST_P(TestDepthPeel, DependsOnNoDrawingOrder)
 {
   const AnalyticScene scene = RandomLayers(200, 160, 9, 40, 0.1, 0.5);
   const auto draw = [](const AnalyticScene& drawn, int tail)
-  {
-    return Draw(drawn, NewPeel(GetParam(), tail < 0 ? 0 : 4, std::max(tail, Drop)));
-  };
+  { return Draw(drawn, NewPeel(GetParam(), tail < 0 ? 0 : 4, std::max(tail, Drop))); };
   EXPECT_EQ(Compare(draw(scene, -1), draw(scene.Reversed(), -1)).Largest, 0) << "all layers";
   EXPECT_EQ(Compare(draw(scene, Drop), draw(scene.Reversed(), Drop)).Largest, 0);
   EXPECT_LE(Compare(draw(scene, Average), draw(scene.Reversed(), Average)).Largest, 1) << "sums of floats";
@@ -396,8 +395,10 @@ TEST_F(TestDepthPeelLayers, AreKept)
         opaque.Rgb = { { 0, 0, 0 } };
       }
       const Picture colors = overBlack.Compute(layer);
-      const Picture opacities = overBlack.Compute([&](const std::vector<Reference::Fragment>& fragments)
-        { return Reference::Pixel{ { { 1 - layer(fragments).Transmittance, 0, 0 } }, 0 }; });
+      const Picture opacities = overBlack.Compute(
+        [&](const std::vector<Reference::Fragment>& fragments) {
+          return Reference::Pixel{ { { 1 - layer(fragments).Transmittance, 0, 0 } }, 0 };
+        });
       double largest = 0;
       for (int y = 0; y < scene.Height; ++y)
       {

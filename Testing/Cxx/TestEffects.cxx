@@ -1,4 +1,5 @@
-// Enabling a technique takes nothing away: the renderer's effects and the passes that it has or gets later stay, and disabling gives them back.
+// Enabling a technique takes nothing away: the renderer's effects and the passes that it has or gets later stay, and
+// disabling gives them back.
 #include "Chains.h"
 #include "GLState.h"
 #include "RenderTest.h"
@@ -29,14 +30,18 @@
 
 namespace
 {
-/// VTK's renderer with plain blending, as it has it from release 9.5 on by UseOITOff: 9.1 always takes its weighted average.
+/// VTK's renderer with plain blending, as it has it from release 9.5 on by UseOITOff: 9.1 always takes its weighted
+/// average.
 class BlendingRenderer : public vtkOpenGLRenderer
 {
 public:
   static BlendingRenderer* New();
   vtkTypeMacro(BlendingRenderer, vtkOpenGLRenderer);
 
-  void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase*) override { this->UpdateTranslucentPolygonalGeometry(); }
+  void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase*) override
+  {
+    this->UpdateTranslucentPolygonalGeometry();
+  }
 };
 vtkStandardNewMacro(BlendingRenderer);
 
@@ -102,7 +107,9 @@ using TestEffectsOfPasses = RenderTest;
 std::vector<std::string> TechniquesThatBlendOneSurface()
 {
   std::vector<std::string> names = OwnTechniques();
-  names.erase(std::remove_if(names.begin(), names.end(), [](const std::string& name) { return !BlendsOneSurface(name); }), names.end());
+  names.erase(
+    std::remove_if(names.begin(), names.end(), [](const std::string& name) { return !BlendsOneSurface(name); }),
+    names.end());
   return names;
 }
 
@@ -235,11 +242,15 @@ TEST_F(TestEffectsOfPasses, ShadowsOfTheRendererHideNothing)
 TEST_F(TestEffectsOfPasses, ThatARendererHasStay)
 {
   auto chains = Chains();
-  chains.push_back({ "Default", [](vtkRenderPass*) { return Around<vtkCameraPass>(Sequence({ vtkNew<vtkLightsPass>(), vtkNew<vtkDefaultPass>() })); } });
-  chains.push_back({ "Sequence", [](vtkRenderPass* pass) {
-    return Around<vtkCameraPass>(
-      Sequence({ vtkNew<vtkLightsPass>(), vtkNew<vtkOpaquePass>(), pass, vtkNew<vtkVolumetricPass>(), vtkNew<vtkOverlayPass>() }));
-  } });
+  chains.push_back({ "Default", [](vtkRenderPass*) {
+                      return Around<vtkCameraPass>(Sequence({ vtkNew<vtkLightsPass>(), vtkNew<vtkDefaultPass>() }));
+                    } });
+  chains.push_back({ "Sequence",
+    [](vtkRenderPass* pass)
+    {
+      return Around<vtkCameraPass>(Sequence({ vtkNew<vtkLightsPass>(), vtkNew<vtkOpaquePass>(), pass,
+        vtkNew<vtkVolumetricPass>(), vtkNew<vtkOverlayPass>() }));
+    } });
   for (const Chain& chain : chains)
   {
     if (chain.Nested)

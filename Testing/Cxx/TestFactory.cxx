@@ -70,8 +70,7 @@ TEST_F(TestFactory, RefusesANameThatIsNone)
   EXPECT_EQ(vtkTranslucencyFactory::CreateTechnique("magic"), nullptr);
   std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("'magic', expected one of: exact, adaptive, "), std::string::npos)
-    << messages[0];
+  EXPECT_NE(messages[0].find("'magic', expected one of: exact, adaptive, "), std::string::npos) << messages[0];
   View view(10, 10);
   EXPECT_EQ(vtkTranslucencyFactory::Enable(view.Renderer, ""), nullptr);
   EXPECT_EQ(TakeMessages().size(), 1u);

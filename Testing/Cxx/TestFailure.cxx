@@ -1,4 +1,5 @@
-// A technique that fails half way: the reason is told once, the picture is drawn all the same, nothing else is disturbed.
+// A technique that fails half way: the reason is told once, the picture is drawn all the same, nothing else is
+// disturbed.
 #include "RenderTest.h"
 
 #include <vtkActor.h>
@@ -24,15 +25,11 @@ public:
   vtkTranslucencyFrame::Defines Defines;
 
 protected:
-  bool ResolveLists(vtkTranslucencyFrame& frame) override
-  {
-    return frame.Resolve(this->File, this->Defines, {});
-  }
+  bool ResolveLists(vtkTranslucencyFrame& frame) override { return frame.Resolve(this->File, this->Defines, {}); }
 };
 vtkStandardNewMacro(BrokenPass);
 
-constexpr double Peeled =
-  4; // what peeling to the end, in bytes, may differ on such a scene, in units of 1/255
+constexpr double Peeled = 4; // what peeling to the end, in bytes, may differ on such a scene, in units of 1/255
 
 AnalyticScene SomeLayers()
 {
@@ -46,8 +43,7 @@ void ExpectFallback(BrokenPass* pass, const std::string& reason, std::vector<std
   view.SetPass(pass);
   for (int frame = 0; frame < 3; ++frame)
   {
-    const PictureDifference difference =
-      Compare(view.Render(), scene.Compute(Reference::CompositeExact));
+    const PictureDifference difference = Compare(view.Render(), scene.Compute(Reference::CompositeExact));
     EXPECT_LE(difference.Largest, Peeled) << "frame " << frame << ": " << difference;
     EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
   }

@@ -1,5 +1,5 @@
-// What is drawn by a driver that lacks what the storage needs: CMakeLists.txt runs this with one extension switched off in
-// Mesa at a time.
+// What is drawn by a driver that lacks what the storage needs: CMakeLists.txt runs this with one extension switched off
+// in Mesa at a time.
 #include "RenderTest.h"
 
 #include <vtkOpenGLRenderWindow.h>
@@ -40,8 +40,7 @@ TEST_F(TestFallback, WarnsOnceAndPeels)
   EXPECT_NE(messages[0].find("Warning"), std::string::npos) << messages[0];
   EXPECT_NE(messages[0].find("lacks " + this->Extension), std::string::npos) << messages[0];
   EXPECT_NE(
-    pass->GetMissing(vtkOpenGLRenderWindow::SafeDownCast(view.Window)).find(this->Extension),
-    std::string::npos);
+    pass->GetMissing(vtkOpenGLRenderWindow::SafeDownCast(view.Window)).find(this->Extension), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
@@ -51,8 +50,7 @@ TEST_F(TestFallback, PeelsTheSameAmongRenderSteps)
   View view(scene);
   vtkNew<vtkABufferPass> pass;
   view.SetTranslucentPass(pass);
-  const PictureDifference difference =
-    Compare(view.Render(), scene.Compute(Reference::CompositeExact));
+  const PictureDifference difference = Compare(view.Render(), scene.Compute(Reference::CompositeExact));
   EXPECT_LE(difference.Largest, 4) << difference;
   EXPECT_EQ(TakeMessages().size(), 1u);
 }
@@ -66,8 +64,7 @@ TEST_F(TestFallback, DrawsSomethingWithMultiSampling)
   View view(scene, 4);
   vtkNew<vtkABufferPass> pass;
   view.SetPass(pass);
-  const double changed =
-    Compare(view.Render(), opaque.Compute(Reference::CompositeExact)).RootMeanSquare;
+  const double changed = Compare(view.Render(), opaque.Compute(Reference::CompositeExact)).RootMeanSquare;
   EXPECT_GT(changed, 0.05) << "nothing translucent was drawn";
   EXPECT_EQ(TakeMessages().size(), 1u);
 }
@@ -104,5 +101,5 @@ TEST_P(TestFallbackOfBuffers, IsNotForMethodsThatNeedNone)
   EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, TestFallbackOfBuffers, testing::Values("peel", "weighted"),
-  [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(
+  Techniques, TestFallbackOfBuffers, testing::Values("peel", "weighted"), [](const auto& info) { return info.param; });

@@ -19,7 +19,8 @@ std::vector<Fragment> ExpectedFragments(const AnalyticScene& scene)
   {
     for (int x = 0; x < scene.Width; ++x)
     {
-      const auto covers = [x, y](const Rectangle& r) { return x >= r.Left && x < r.Right && y >= r.Bottom && y < r.Top; };
+      const auto covers = [x, y](const Rectangle& r)
+      { return x >= r.Left && x < r.Right && y >= r.Bottom && y < r.Top; };
       double opaque = 1;
       for (const Rectangle& rectangle : scene.Opaque)
       {
@@ -32,7 +33,8 @@ std::vector<Fragment> ExpectedFragments(const AnalyticScene& scene)
           if (covers(r) && r.Depth < opaque)
           {
             fragments.push_back({ x, y, static_cast<float>(r.Depth),
-              { { static_cast<float>(r.Rgb[0]), static_cast<float>(r.Rgb[1]), static_cast<float>(r.Rgb[2]), static_cast<float>(r.Alpha) } } });
+              { { static_cast<float>(r.Rgb[0]), static_cast<float>(r.Rgb[1]), static_cast<float>(r.Rgb[2]),
+                static_cast<float>(r.Alpha) } } });
           }
         }
       }
@@ -71,7 +73,7 @@ struct Kept
 {
   std::string Name;
   int ColorFormat;
-  double MiB; // memory limit
+  double MiB;      // memory limit
   float Tolerance; // of colours
 };
 
@@ -110,8 +112,10 @@ TEST_P(TestFragmentTracePass, KeepsEveryFragment)
 }
 
 INSTANTIATE_TEST_SUITE_P(Storages, TestFragmentTracePass,
-  testing::Values(Kept{ "Half", vtkFragmentStorage::HalfFloat, 0, 1.0f / 2048 }, Kept{ "Bytes", vtkFragmentStorage::RGBA8, 0, 0.5f / 255 + 1e-5f },
-    Kept{ "HalfInTiles", vtkFragmentStorage::HalfFloat, 1, 1.0f / 2048 }, Kept{ "BytesInTiles", vtkFragmentStorage::RGBA8, 1, 0.5f / 255 + 1e-5f }),
+  testing::Values(Kept{ "Half", vtkFragmentStorage::HalfFloat, 0, 1.0f / 2048 },
+    Kept{ "Bytes", vtkFragmentStorage::RGBA8, 0, 0.5f / 255 + 1e-5f },
+    Kept{ "HalfInTiles", vtkFragmentStorage::HalfFloat, 1, 1.0f / 2048 },
+    Kept{ "BytesInTiles", vtkFragmentStorage::RGBA8, 1, 0.5f / 255 + 1e-5f }),
   [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------

@@ -137,8 +137,7 @@ namespace
 /// Two scenes in one window, the left one by the first pass.
 void ExpectSideBySide(const std::array<vtkRenderPass*, 2>& passes)
 {
-  const AnalyticScene scenes[] = { RandomLayers(100, 80, 51, 20, 0.05, 0.6),
-    RandomLayers(100, 80, 52, 20, 0.05, 0.6) };
+  const AnalyticScene scenes[] = { RandomLayers(100, 80, 51, 20, 0.05, 0.6), RandomLayers(100, 80, 52, 20, 0.05, 0.6) };
   View view(200, 80);
   view.Window->RemoveRenderer(view.Renderer);
   for (int i = 0; i < 2; ++i)
@@ -154,10 +153,8 @@ void ExpectSideBySide(const std::array<vtkRenderPass*, 2>& passes)
     const Picture drawn = view.Render();
     for (int i = 0; i < 2; ++i)
     {
-      const PictureDifference difference =
-        Compare(Crop(drawn, 100 * i, 0, 100, 80), Exact(scenes[i]));
-      EXPECT_LE(difference.Largest, 1.5)
-        << "frame " << frame << ", renderer " << i << ": " << difference;
+      const PictureDifference difference = Compare(Crop(drawn, 100 * i, 0, 100, 80), Exact(scenes[i]));
+      EXPECT_LE(difference.Largest, 1.5) << "frame " << frame << ", renderer " << i << ": " << difference;
     }
   }
 }

@@ -28,18 +28,13 @@ void PrintTo(const Situation& value, std::ostream* os)
 
 const Situation Situations[] = {
   { "Rectangles", [](View&, vtkFragmentListPass*) {}, false },
-  { "Cells",
-    [](View& view, vtkFragmentListPass*)
-    { RandomMosaic(400, 300, 1, 3, 0.1, 0.5).AddTo(view.Renderer); },
+  { "Cells", [](View& view, vtkFragmentListPass*) { RandomMosaic(400, 300, 1, 3, 0.1, 0.5).AddTo(view.Renderer); },
     false },
   { "LitSurface", [](View& view, vtkFragmentListPass*) { AddBall(view.Renderer, false, 200, 100, 0); }, false },
   { "PointsAsSpheres", [](View& view, vtkFragmentListPass*) { AddBall(view.Renderer, true, 200, 100, 0); }, false },
-  { "Tiles", [](View&, vtkFragmentListPass* pass) { pass->GetStorage()->SetMemoryLimit(1); },
-    false },
+  { "Tiles", [](View&, vtkFragmentListPass* pass) { pass->GetStorage()->SetMemoryLimit(1); }, false },
   { "Timers", [](View&, vtkFragmentListPass* pass) { pass->MeasureTimesOn(); }, false },
-  { "Viewport",
-    [](View& view, vtkFragmentListPass*) { view.Renderer->SetViewport(0.25, 0.1, 0.8, 0.7); },
-    false },
+  { "Viewport", [](View& view, vtkFragmentListPass*) { view.Renderer->SetViewport(0.25, 0.1, 0.8, 0.7); }, false },
   { "TBufferInTiles",
     [](View&, vtkFragmentListPass* pass)
     {
@@ -54,8 +49,7 @@ const Situation Situations[] = {
       pass->MeasureTimesOn();
     },
     false },
-  { "TooLittleMemory",
-    [](View&, vtkFragmentListPass* pass) { pass->GetStorage()->SetMemoryLimit(0.001); }, true },
+  { "TooLittleMemory", [](View&, vtkFragmentListPass* pass) { pass->GetStorage()->SetMemoryLimit(0.001); }, true },
 };
 
 /// VTK's mappers leave their textures bound, and bind what they need before each use.
@@ -143,10 +137,8 @@ TEST_F(TestGLStateOfCounting, IsAsItWasFound)
   ExpectNothingChanges(view, watched, false);
 }
 
-INSTANTIATE_TEST_SUITE_P(Situations, TestGLState,
-  testing::Combine(testing::ValuesIn(Situations), testing::Bool()),
-  [](const auto& info)
-  { return std::get<0>(info.param).Name + (std::get<1>(info.param) ? "Exact" : "Adaptive"); });
+INSTANTIATE_TEST_SUITE_P(Situations, TestGLState, testing::Combine(testing::ValuesIn(Situations), testing::Bool()),
+  [](const auto& info) { return std::get<0>(info.param).Name + (std::get<1>(info.param) ? "Exact" : "Adaptive"); });
 
 namespace
 {
@@ -250,7 +242,8 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWhereListsAreLinkedAnew)
 }
 
 //------------------------------------------------------------------------------
-// Drivers need not have them there, and Mesa takes the wrong blocks for written if both shaders of a program have some (Documentation/Drivers.md).
+// Drivers need not have them there, and Mesa takes the wrong blocks for written if both shaders of a program have some
+// (Documentation/Drivers.md).
 TEST_F(TestGLStateOfTechniques, VertexShadersHaveNoStorageBlocks)
 {
   View view(RandomLayers(64, 48, 3, 40, 0.05, 0.6));

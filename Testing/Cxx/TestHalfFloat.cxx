@@ -1,4 +1,5 @@
-// Half floats: the shader's own text on the CPU, against GLM's. Runs under AddressSanitizer and UndefinedBehaviorSanitizer.
+// Half floats: the shader's own text on the CPU, against GLM's. Runs under AddressSanitizer and
+// UndefinedBehaviorSanitizer.
 #include <glm/glm.hpp>
 #include <glm/gtc/packing.hpp>
 

@@ -45,14 +45,9 @@ std::vector<Technique> Techniques()
   {
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
     techniques.push_back({ "Exact" + suffix,
-      [] { return vtkSmartPointer<vtkTranslucencyPass>(vtkSmartPointer<vtkABufferPass>::New()); },
-      samples });
+      [] { return vtkSmartPointer<vtkTranslucencyPass>(vtkSmartPointer<vtkABufferPass>::New()); }, samples });
     techniques.push_back({ "Adaptive" + suffix,
-      []
-      {
-        return vtkSmartPointer<vtkTranslucencyPass>(
-          vtkSmartPointer<vtkAdaptiveTransparencyPass>::New());
-      },
+      [] { return vtkSmartPointer<vtkTranslucencyPass>(vtkSmartPointer<vtkAdaptiveTransparencyPass>::New()); },
       samples });
   }
   return techniques;
@@ -83,8 +78,7 @@ public:
     this->Renderer->ResetCamera();
   }
 
-  using Ids =
-    std::set<std::pair<int, vtkIdType>>; // the ball's number, and that of its cell or point
+  using Ids = std::set<std::pair<int, vtkIdType>>; // the ball's number, and that of its cell or point
 
   Ids Select(int association)
   {
@@ -128,8 +122,7 @@ class TestInteraction
 //------------------------------------------------------------------------------
 TEST_P(TestInteraction, SelectsTheSameCellsAndPoints)
 {
-  for (int association :
-    { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
+  for (int association : { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
   {
     Balls stock(GetParam().Samples);
     stock.Render();
@@ -189,7 +182,8 @@ TEST_P(TestInteraction, MovingCameraReusesEveryBuffer)
 }
 
 //------------------------------------------------------------------------------
-// Pickers by ray (vtkCellPicker), by frustum (vtkAreaPicker) and of props (vtkPropPicker, by hardware) after a frame of the pass.
+// Pickers by ray (vtkCellPicker), by frustum (vtkAreaPicker) and of props (vtkPropPicker, by hardware) after a frame of
+// the pass.
 TEST_P(TestInteraction, PickersFindWhatTheyFindWithout)
 {
   Balls balls(GetParam().Samples);
@@ -241,5 +235,5 @@ TEST_P(TestInteraction, PropsOutsideOfTheFrustumAreCulled)
   EXPECT_EQ(pass->GetNumberOfRenderedProps(), drawn + 1) << "without cullers it is drawn, where nobody sees it";
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, TestInteraction, testing::ValuesIn(Techniques()),
-  [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Techniques, TestInteraction, testing::ValuesIn(Techniques()), [](const auto& info) { return info.param.Name; });

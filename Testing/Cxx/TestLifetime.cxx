@@ -246,10 +246,12 @@ std::vector<Case> Cases()
     }
     for (const Way& way : ways)
     {
-      const auto create = [way] { return vtkSmartPointer<vtkTranslucencyPass>(vtkTranslucencyPass::SafeDownCast(NewPass(way))); };
+      const auto create = [way]
+      { return vtkSmartPointer<vtkTranslucencyPass>(vtkTranslucencyPass::SafeDownCast(NewPass(way))); };
       if (create())
       {
-        cases.push_back({ std::regex_replace(way.Technique + way.Choice, std::regex("-"), "") + suffix, create, samples });
+        cases.push_back(
+          { std::regex_replace(way.Technique + way.Choice, std::regex("-"), "") + suffix, create, samples });
       }
     }
   }
@@ -259,5 +261,5 @@ std::vector<Case> Cases()
 }
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, TestLifetime, testing::ValuesIn(Cases()),
-  [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Techniques, TestLifetime, testing::ValuesIn(Cases()), [](const auto& info) { return info.param.Name; });

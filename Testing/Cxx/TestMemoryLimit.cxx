@@ -73,8 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Limits, TestMemoryLimit,
     Limited{ "ExactBytes1MiB", New<vtkABufferPass>, vtkFragmentStorage::RGBA8, 1 },
     Limited{ "ExactHalf10MiB", New<vtkABufferPass>, vtkFragmentStorage::HalfFloat, 10 },
     Limited{ "ExactHalf50KiB", New<vtkABufferPass>, vtkFragmentStorage::HalfFloat, 0.05 },
-    Limited{
-      "AdaptiveHalf1MiB", New<vtkAdaptiveTransparencyPass>, vtkFragmentStorage::HalfFloat, 1 },
+    Limited{ "AdaptiveHalf1MiB", New<vtkAdaptiveTransparencyPass>, vtkFragmentStorage::HalfFloat, 1 },
     Limited{ "AdaptiveBytes1MiB", New<vtkAdaptiveTransparencyPass>, vtkFragmentStorage::RGBA8, 1 }),
   [](const auto& info) { return info.param.Name; });
 
@@ -106,7 +105,8 @@ TEST_F(TestMemoryLimitChange, BlocksAreAsLargeAsTheDriverCanAddress)
   vtkNew<vtkABufferPass> pass;
   view.SetPass(pass);
   const Picture whole = view.Render();
-  const auto block = vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow::SafeDownCast(view.Window)).MaximumBlockBytes;
+  const auto block =
+    vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow::SafeDownCast(view.Window)).MaximumBlockBytes;
   const bool fits = static_cast<double>(block) > 200 * MiB;
   EXPECT_EQ(pass->GetStatistics()->GetTiles() == 1, fits) << block;
   EXPECT_TRUE(!fits || pass->GetStorage()->GetBytes() > 200 * MiB) << pass->GetStorage()->GetBytes();
@@ -141,8 +141,9 @@ TEST_F(TestMemoryLimitChange, ImpostorsAreHiddenInEveryTile)
   EXPECT_GT(pass->GetStatistics()->GetGeometryPasses(), 1);
   const auto half = [](const Picture& picture, int x) { return Crop(picture, x, 0, 200, 300); };
   const Picture hidden = half(grown, 200);
-  EXPECT_EQ(std::count(hidden.Rgb.begin(), hidden.Rgb.end(), hidden.Rgb[0]),
-    static_cast<std::ptrdiff_t>(hidden.Rgb.size())) << "the opaque plane is white";
+  EXPECT_EQ(
+    std::count(hidden.Rgb.begin(), hidden.Rgb.end(), hidden.Rgb[0]), static_cast<std::ptrdiff_t>(hidden.Rgb.size()))
+    << "the opaque plane is white";
   EXPECT_GT(Compare(half(grown, 0), hidden).RootMeanSquare, 0.1);
 
   const Picture whole = view.Render();
@@ -164,8 +165,7 @@ TEST_F(TestMemoryLimitChange, SmallerThanARowIsAnErrorAndFallsBack)
   const Picture drawn = view.Render();
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("MemoryLimit is 0.001 MiB, expected at least"), std::string::npos)
-    << messages[0];
+  EXPECT_NE(messages[0].find("MemoryLimit is 0.001 MiB, expected at least"), std::string::npos) << messages[0];
   EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
   const PictureDifference difference = Compare(drawn, scene.Compute(Reference::CompositeExact));
   EXPECT_LE(difference.Largest, 4) << difference; // peeling accumulates in bytes

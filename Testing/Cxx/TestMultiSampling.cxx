@@ -70,12 +70,10 @@ struct TriangleScene
   void AddTo(vtkRenderer* renderer) const;
 
   /// The mean over the samples, and 0 or 1 whether each pixel is beyond doubt.
-  Picture Compute(const Compositor& composite, const std::vector<Position>& samples,
-    std::vector<bool>& certain) const;
+  Picture Compute(const Compositor& composite, const std::vector<Position>& samples, std::vector<bool>& certain) const;
 };
 
-TriangleScene RandomTriangles(
-  int width, int height, unsigned int seed, int opaque, int translucent, double largest)
+TriangleScene RandomTriangles(int width, int height, unsigned int seed, int opaque, int translucent, double largest)
 {
   TriangleScene scene;
   scene.Width = width;
@@ -91,8 +89,7 @@ TriangleScene RandomTriangles(
     const Position middle{ { unit(random) * scene.Width, unit(random) * scene.Height } };
     for (Position& corner : triangle.Corners)
     {
-      corner = { { middle[0] + (unit(random) - 0.5) * largest,
-        middle[1] + (unit(random) - 0.5) * largest } };
+      corner = { { middle[0] + (unit(random) - 0.5) * largest, middle[1] + (unit(random) - 0.5) * largest } };
     }
     triangle.Depth = depths[i] / 65536.0;
     triangle.Rgb = { { unit(random), unit(random), unit(random) } };
@@ -102,8 +99,8 @@ TriangleScene RandomTriangles(
   return scene;
 }
 
-/// Layers of small triangles that share their edges, in any order, with few colours and opacities: neighbours are often the same, or
-/// nearly, and often not.
+/// Layers of small triangles that share their edges, in any order, with few colours and opacities: neighbours are often
+/// the same, or nearly, and often not.
 TriangleScene Mosaic(int width, int height, unsigned int seed)
 {
   constexpr int Layers = 3;
@@ -120,8 +117,8 @@ TriangleScene Mosaic(int width, int height, unsigned int seed)
     {
       for (int j = 0; j <= Cells; ++j)
       {
-        corners.push_back({ { (j - 0.3 + 0.6 * unit(random)) * width / Cells,
-          (i - 0.3 + 0.6 * unit(random)) * height / Cells } });
+        corners.push_back(
+          { { (j - 0.3 + 0.6 * unit(random)) * width / Cells, (i - 0.3 + 0.6 * unit(random)) * height / Cells } });
       }
     }
     for (int i = 0; i < Cells * Cells; ++i)
@@ -129,13 +126,11 @@ TriangleScene Mosaic(int width, int height, unsigned int seed)
       const int at = i / Cells * (Cells + 1) + i % Cells;
       const int across = at + 1;
       const int down = at + Cells + 1;
-      for (const auto& ids :
-        { std::array<int, 3>{ { at, across, down } }, { { down, across, down + 1 } } })
+      for (const auto& ids : { std::array<int, 3>{ { at, across, down } }, { { down, across, down + 1 } } })
       {
         const double red = 0.3 + (random() % 2) / 40.0 + (random() % 4 == 0 ? 0.5 : 0.0);
-        scene.Translucent.push_back(
-          { { { corners[ids[0]], corners[ids[1]], corners[ids[2]] } }, (1 + layer) / 8.0,
-            { { red, 0.5, 0.1 + 0.7 * (random() % 4 == 0) } }, random() % 4 == 0 ? 0.7 : 0.4 });
+        scene.Translucent.push_back({ { { corners[ids[0]], corners[ids[1]], corners[ids[2]] } }, (1 + layer) / 8.0,
+          { { red, 0.5, 0.1 + 0.7 * (random() % 4 == 0) } }, random() % 4 == 0 ? 0.7 : 0.4 });
       }
     }
   }
@@ -170,8 +165,8 @@ void TriangleScene::AddTo(vtkRenderer* renderer) const
   }
 }
 
-Picture TriangleScene::Compute(const Compositor& composite, const std::vector<Position>& samples,
-  std::vector<bool>& certain) const
+Picture TriangleScene::Compute(
+  const Compositor& composite, const std::vector<Position>& samples, std::vector<bool>& certain) const
 {
   Picture picture{ this->Width, this->Height, {} };
   certain.clear();
@@ -211,7 +206,8 @@ Picture TriangleScene::Compute(const Compositor& composite, const std::vector<Po
         const Reference::Color color = composite(fragments).Over(behind);
         for (int channel = 0; channel < 3; ++channel)
         {
-          mean[channel] += 255 * std::min(color[channel], 1.0) / static_cast<double>(samples.size()); // as bytes hold it
+          mean[channel] +=
+            255 * std::min(color[channel], 1.0) / static_cast<double>(samples.size()); // as bytes hold it
         }
       }
       picture.Rgb.insert(picture.Rgb.end(), mean.begin(), mean.end());
@@ -304,8 +300,7 @@ TEST_P(TestMultiSampling, IsTheMeanOfTheSamples)
 namespace
 {
 template <typename Pass>
-std::function<vtkSmartPointer<vtkTranslucencyPass>()> New(
-  const std::function<void(Pass*)>& arrange = nullptr)
+std::function<vtkSmartPointer<vtkTranslucencyPass>()> New(const std::function<void(Pass*)>& arrange = nullptr)
 {
   return [arrange]
   {
@@ -325,7 +320,8 @@ std::function<vtkSmartPointer<vtkTranslucencyPass>()> New(const std::string& tec
 
 Compositor Layers(int count, Reference::Tail tail)
 {
-  return [=](const std::vector<Reference::Fragment>& fragments) { return Reference::CompositeLayers(fragments, count, tail); };
+  return [=](const std::vector<Reference::Fragment>& fragments)
+  { return Reference::CompositeLayers(fragments, count, tail); };
 }
 
 // Techniques without lists: each sample has a record, or a value of each target, of its own.
@@ -335,7 +331,8 @@ std::vector<Sampling> SamplingsWithoutLists(const TriangleScene& few, const Tria
   std::vector<Sampling> samplings;
   for (int samples : { 2, 4, 8 })
   {
-    const auto add = [&](const std::string& name, const std::string& technique, const Settings& options, const Compositor& composite)
+    const auto add =
+      [&](const std::string& name, const std::string& technique, const Settings& options, const Compositor& composite)
     {
       const std::string suffix = std::to_string(samples);
       samplings.push_back({ name + suffix, samples, New(technique, options), composite, few });
@@ -357,7 +354,8 @@ std::vector<Sampling> SamplingsWithoutLists(const TriangleScene& few, const Tria
     add("WeightedAverage", "weighted", { { "method", "average" } }, Reference::CompositeWeightedAverage);
     for (const char* memory : { "Fixed", "Variable" })
     {
-      add("ShadowMap" + std::string(memory), "shadowmap", { { "memory", memory[0] == 'F' ? "fixed" : "variable" }, { "slices", "8" } },
+      add("ShadowMap" + std::string(memory), "shadowmap",
+        { { "memory", memory[0] == 'F' ? "fixed" : "variable" }, { "slices", "8" } },
         [](const std::vector<Reference::Fragment>& fragments)
         {
           const auto share = [](double at, double before) { return Reference::SliceShare(8, at, before); };
@@ -373,31 +371,24 @@ std::vector<Sampling> Samplings()
   std::vector<Sampling> samplings;
   const TriangleScene few = RandomTriangles(160, 120, 91, 4, 40, 100);
   const TriangleScene deep = RandomTriangles(160, 120, 92, 2, 500, 160);
-  const TriangleScene deepest =
-    RandomTriangles(32, 24, 93, 1, 700, 160); // some pixels have more than 256
+  const TriangleScene deepest = RandomTriangles(32, 24, 93, 1, 700, 160); // some pixels have more than 256
   const TriangleScene mosaic = Mosaic(64, 48, 94);
   for (int samples : { 2, 4, 8 })
   {
     const std::string suffix = std::to_string(samples);
+    samplings.push_back({ "Exact" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, few });
+    samplings.push_back({ "ExactDeep" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, deep });
     samplings.push_back(
-      { "Exact" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, few });
-    samplings.push_back(
-      { "ExactDeep" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, deep });
-    samplings.push_back({ "ExactDeepest" + suffix, samples, New<vtkABufferPass>(),
-      Reference::CompositeExact, deepest });
+      { "ExactDeepest" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, deepest });
     samplings.push_back({ "ExactBytes" + suffix, samples,
-      New<vtkABufferPass>([](vtkABufferPass* pass)
-        { pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8); }),
+      New<vtkABufferPass>([](vtkABufferPass* pass) { pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8); }),
       Reference::CompositeExact, few });
-    samplings.push_back({ "ExactMosaic" + suffix, samples, New<vtkABufferPass>(),
-      Reference::CompositeExact, mosaic });
+    samplings.push_back({ "ExactMosaic" + suffix, samples, New<vtkABufferPass>(), Reference::CompositeExact, mosaic });
     samplings.push_back({ "ExactMosaicBytes" + suffix, samples,
-      New<vtkABufferPass>([](vtkABufferPass* pass)
-        { pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8); }),
+      New<vtkABufferPass>([](vtkABufferPass* pass) { pass->GetStorage()->SetColorFormat(vtkFragmentStorage::RGBA8); }),
       Reference::CompositeExact, mosaic });
     samplings.push_back({ "Iterative" + suffix, samples,
-      New<vtkABufferPass>(
-        [](vtkABufferPass* pass) { pass->SetResolve(vtkABufferPass::Iterative); }),
+      New<vtkABufferPass>([](vtkABufferPass* pass) { pass->SetResolve(vtkABufferPass::Iterative); }),
       Reference::CompositeIterative, few });
     samplings.push_back({ "ExactTiles" + suffix, samples,
       New<vtkABufferPass>([](vtkABufferPass* pass) { pass->GetStorage()->SetMemoryLimit(1); }),
@@ -407,8 +398,7 @@ std::vector<Sampling> Samplings()
     samplings.push_back({ "Adaptive16Deep" + suffix, samples, New<vtkAdaptiveTransparencyPass>(),
       AdaptiveCompositor(16, Reference::Removal::Underestimate), deep });
     samplings.push_back({ "Adaptive4" + suffix, samples,
-      New<vtkAdaptiveTransparencyPass>(
-        [](vtkAdaptiveTransparencyPass* pass) { pass->SetNodeCount(4); }),
+      New<vtkAdaptiveTransparencyPass>([](vtkAdaptiveTransparencyPass* pass) { pass->SetNodeCount(4); }),
       AdaptiveCompositor(4, Reference::Removal::Underestimate), few });
     // Not larger: where few nodes are left, interpolated depths and computed ones may not remove the same.
     for (const auto& [name, scene] : { std::pair("Tolerance", &few), std::pair("ToleranceDeep", &deep) })
@@ -431,8 +421,8 @@ std::vector<Sampling> Samplings()
 }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, TestMultiSampling, testing::ValuesIn(Samplings()),
-  [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Samples, TestMultiSampling, testing::ValuesIn(Samplings()), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 using TestMultiSamplingOf = RenderTest;
@@ -492,8 +482,7 @@ TEST_F(TestMultiSamplingOf, CoincidentSurfacesBothCount)
   View view(scene, 4);
   vtkNew<vtkABufferPass> pass;
   view.SetPass(pass);
-  const PictureDifference difference =
-    Compare(view.Render(), scene.Compute(Reference::CompositeExact));
+  const PictureDifference difference = Compare(view.Render(), scene.Compute(Reference::CompositeExact));
   EXPECT_LE(difference.Largest, 1) << difference;
 }
 
@@ -527,7 +516,8 @@ TEST_F(TestMultiSamplingOf, RectanglesOnPixelBordersNeedsNoMasks)
 }
 
 //------------------------------------------------------------------------------
-// Their shaders set gl_FragDepth: the samples that pass are not known from the early test, but from a copy of the opaque depth.
+// Their shaders set gl_FragDepth: the samples that pass are not known from the early test, but from a copy of the
+// opaque depth.
 TEST_F(TestMultiSamplingOf, ImpostorsAreDrawn)
 {
   AnalyticScene scene;

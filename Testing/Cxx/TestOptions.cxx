@@ -25,16 +25,15 @@ void PrintTo(const BadValue& value, std::ostream* os)
 
 BadValue NodeCount(int count, const std::string& name)
 {
-  return { "NodeCount" + name,
-    [](auto* adaptive, auto*) -> double { return adaptive->GetNodeCount(); },
+  return { "NodeCount" + name, [](auto* adaptive, auto*) -> double { return adaptive->GetNodeCount(); },
     [count](auto* adaptive, auto*) { adaptive->SetNodeCount(count); }, "1 to 64" };
 }
 
 BadValue NodeRemoval(int removal, const std::string& name)
 {
-  return { "NodeRemoval" + name,
-    [](auto* adaptive, auto*) -> double { return adaptive->GetNodeRemoval(); },
-    [removal](auto* adaptive, auto*) { adaptive->SetNodeRemoval(removal); }, "underestimate (0), overestimate (1) or mixed (2)" };
+  return { "NodeRemoval" + name, [](auto* adaptive, auto*) -> double { return adaptive->GetNodeRemoval(); },
+    [removal](auto* adaptive, auto*) { adaptive->SetNodeRemoval(removal); },
+    "underestimate (0), overestimate (1) or mixed (2)" };
 }
 
 BadValue Tolerance(double tolerance, const std::string& name)
@@ -57,29 +56,26 @@ BadValue Resolve(int resolve, const std::string& name)
 
 BadValue ColorFormat(int format, const std::string& name)
 {
-  return { "ColorFormat" + name,
-    [](auto*, auto* exact) -> double { return exact->GetStorage()->GetColorFormat(); },
+  return { "ColorFormat" + name, [](auto*, auto* exact) -> double { return exact->GetStorage()->GetColorFormat(); },
     [format](auto*, auto* exact) { exact->GetStorage()->SetColorFormat(format); }, "half-float (0) or rgba8 (1)" };
 }
 
 BadValue MemoryLimit(double limit, const std::string& name)
 {
-  return { "MemoryLimit" + name,
-    [](auto*, auto* exact) { return exact->GetStorage()->GetMemoryLimit(); },
+  return { "MemoryLimit" + name, [](auto*, auto* exact) { return exact->GetStorage()->GetMemoryLimit(); },
     [limit](auto*, auto* exact) { exact->GetStorage()->SetMemoryLimit(limit); }, "0 or more" };
 }
 
 BadValue StorageDesign(int design, const std::string& name)
 {
-  return { "StorageDesign" + name,
-    [](auto*, auto* exact) -> double { return exact->GetStorageDesign(); },
-    [design](auto*, auto* exact) { exact->SetStorageDesign(design); }, "linked-list (0), t-buffer (1), r-buffer (2) or m-buffer (3)" };
+  return { "StorageDesign" + name, [](auto*, auto* exact) -> double { return exact->GetStorageDesign(); },
+    [design](auto*, auto* exact) { exact->SetStorageDesign(design); },
+    "linked-list (0), t-buffer (1), r-buffer (2) or m-buffer (3)" };
 }
 
 BadValue SectionLength(int length, const std::string& name)
 {
-  return { "SectionLength" + name,
-    [](auto*, auto* exact) -> double { return exact->GetSectionLength(); },
+  return { "SectionLength" + name, [](auto*, auto* exact) -> double { return exact->GetSectionLength(); },
     [length](auto*, auto* exact) { exact->SetSectionLength(length); }, "1 to 64" };
 }
 }
@@ -110,13 +106,14 @@ TEST_P(TestBadValue, IsAnErrorAndChangesNothing)
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, TestBadValue,
-  testing::Values(NodeCount(0, "_0"), NodeCount(-1, "_Negative"), NodeCount(65, "_65"),
-    NodeCount(1000, "_1000"), Tolerance(-0.1, "_Negative"), Tolerance(1.1, "_AboveOne"),
-    Tolerance(std::numeric_limits<double>::quiet_NaN(), "_NaN"), Show(-1, "_Negative"), Show(3, "_3"), NodeRemoval(-1, "_Negative"), NodeRemoval(3, "_3"),
-    Resolve(-1, "_Negative"), Resolve(2, "_2"), ColorFormat(-1, "_Negative"), ColorFormat(2, "_2"),
-    MemoryLimit(-1, "_Negative"), MemoryLimit(std::numeric_limits<double>::quiet_NaN(), "_NaN"),
-    StorageDesign(-1, "_Negative"), StorageDesign(4, "_4"), SectionLength(0, "_0"), SectionLength(-1, "_Negative"),
-    SectionLength(65, "_65"), SectionLength(10000, "_10000")),
+  testing::Values(NodeCount(0, "_0"), NodeCount(-1, "_Negative"), NodeCount(65, "_65"), NodeCount(1000, "_1000"),
+    Tolerance(-0.1, "_Negative"), Tolerance(1.1, "_AboveOne"),
+    Tolerance(std::numeric_limits<double>::quiet_NaN(), "_NaN"), Show(-1, "_Negative"), Show(3, "_3"),
+    NodeRemoval(-1, "_Negative"), NodeRemoval(3, "_3"), Resolve(-1, "_Negative"), Resolve(2, "_2"),
+    ColorFormat(-1, "_Negative"), ColorFormat(2, "_2"), MemoryLimit(-1, "_Negative"),
+    MemoryLimit(std::numeric_limits<double>::quiet_NaN(), "_NaN"), StorageDesign(-1, "_Negative"),
+    StorageDesign(4, "_4"), SectionLength(0, "_0"), SectionLength(-1, "_Negative"), SectionLength(65, "_65"),
+    SectionLength(10000, "_10000")),
   [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------

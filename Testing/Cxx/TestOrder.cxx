@@ -1,7 +1,7 @@
 // What depends on the order of drawing and what must not: reversed drawing, equal depths, very deep pixels.
 //
-// 5,000 fragments in a pixel are what the module promises to be right at least; 100,000 are more than the rounds after which
-// some drivers end a loop.
+// 5,000 fragments in a pixel are what the module promises to be right at least; 100,000 are more than the rounds after
+// which some drivers end a loop.
 #include "RenderTest.h"
 
 #include <vtkTranslucencyCapabilities.h>
@@ -30,8 +30,7 @@ AnalyticScene EqualDepths(int count)
   for (int i = 0; i < count; ++i)
   {
     const Reference::Color color{ { (i % 3) / 2.0, (i % 5) / 4.0, (i % 2) / 1.0 } };
-    scene.Translucent.push_back(
-      { { 4 * i, 0, scene.Width, scene.Height, 0.25, color, 0.125 + 0.5 * (i % 4) / 4 } });
+    scene.Translucent.push_back({ { 4 * i, 0, scene.Width, scene.Height, 0.25, color, 0.125 + 0.5 * (i % 4) / 4 } });
   }
   return scene;
 }
@@ -43,12 +42,9 @@ AnalyticScene DeepPixels(int count)
   Layer deep;
   for (int i = 0; i < count; ++i)
   {
-    const int shuffled =
-      static_cast<int>(i * 24977LL % count); // a prime, so that each number comes once
-    const Reference::Color color{ { (shuffled % 256) / 255.0, (shuffled % 100) / 255.0,
-      (i % 200) / 255.0 } };
-    deep.push_back(
-      { 37, 41, 45, 43, 0.125 + 0.25 * shuffled / 131072, color, (1 + i % 2) / 255.0 });
+    const int shuffled = static_cast<int>(i * 24977LL % count); // a prime, so that each number comes once
+    const Reference::Color color{ { (shuffled % 256) / 255.0, (shuffled % 100) / 255.0, (i % 200) / 255.0 } };
+    deep.push_back({ 37, 41, 45, 43, 0.125 + 0.25 * shuffled / 131072, color, (1 + i % 2) / 255.0 });
   }
   scene.Translucent.insert(scene.Translucent.begin() + 20, deep);
   return scene;
@@ -87,8 +83,8 @@ TEST_P(TestOrderOfExact, PutsTheLaterDrawnInFrontAtEqualDepth)
     const PictureDifference difference = Compare(drawn, scene.Compute(Reference::CompositeExact));
     EXPECT_LE(difference.Largest, 1.5) << difference;
   }
-  const auto lookDifferent = Compare(EqualDepths(40).Compute(Reference::CompositeExact),
-    EqualDepths(40).Reversed().Compute(Reference::CompositeExact));
+  const auto lookDifferent = Compare(
+    EqualDepths(40).Compute(Reference::CompositeExact), EqualDepths(40).Reversed().Compute(Reference::CompositeExact));
   EXPECT_GT(lookDifferent.Largest, 20) << "the scene does not tell the orders apart";
 }
 
@@ -125,8 +121,7 @@ TEST_P(TestOrderOfExact, LosesNothingOfDeepPixels)
     View view(scene);
     const auto pass = NewExact(GetParam());
     view.SetPass(pass);
-    const PictureDifference difference =
-      Compare(view.Render(), scene.Compute(Reference::CompositeExact));
+    const PictureDifference difference = Compare(view.Render(), scene.Compute(Reference::CompositeExact));
     EXPECT_LE(difference.Largest, 1.5) << count << ": " << difference;
     EXPECT_GE(pass->GetStatistics()->GetDeepestPixel(), count);
   }
@@ -134,8 +129,7 @@ TEST_P(TestOrderOfExact, LosesNothingOfDeepPixels)
 
 INSTANTIATE_TEST_SUITE_P(Resolve, TestOrderOfExact,
   testing::Values(vtkABufferPass::Recursive, vtkABufferPass::Iterative),
-  [](const auto& info)
-  { return info.param == vtkABufferPass::Recursive ? "Recursive" : "Iterative"; });
+  [](const auto& info) { return info.param == vtkABufferPass::Recursive ? "Recursive" : "Iterative"; });
 
 //------------------------------------------------------------------------------
 using TestOrderOfTheEnvironment = RenderTest;
@@ -169,8 +163,8 @@ TEST(TestOrderOfTheDriver, IsPromisedByRasterizersThemselvesOnly)
   {
     EXPECT_TRUE(vtkTranslucencyCapabilities::IsRasterizer(renderer)) << renderer;
   }
-  for (const char* renderer : { "zink Vulkan 1.4(llvmpipe (LLVM 21.1.8, 256 bits) (MESA_LLVMPIPE))", "virgl (llvmpipe (LLVM 15.0.7, 256 bits))",
-         "NVIDIA GeForce GTX 1080/PCIe/SSE2", "" })
+  for (const char* renderer : { "zink Vulkan 1.4(llvmpipe (LLVM 21.1.8, 256 bits) (MESA_LLVMPIPE))",
+         "virgl (llvmpipe (LLVM 15.0.7, 256 bits))", "NVIDIA GeForce GTX 1080/PCIe/SSE2", "" })
   {
     EXPECT_FALSE(vtkTranslucencyCapabilities::IsRasterizer(renderer)) << renderer;
   }
@@ -219,8 +213,8 @@ TEST_P(TestOrderOfAdaptive, LosesNothingOfDeepPixels)
   EXPECT_LE(difference.Largest, 2) << difference;
 }
 
-INSTANTIATE_TEST_SUITE_P(Removal, TestOrderOfAdaptive,
-  testing::Values(Removal::Underestimate, Removal::Overestimate, Removal::Mixed));
+INSTANTIATE_TEST_SUITE_P(
+  Removal, TestOrderOfAdaptive, testing::Values(Removal::Underestimate, Removal::Overestimate, Removal::Mixed));
 
 //------------------------------------------------------------------------------
 // 64 fragments a pixel, uniform in depth, colour and opacity: nothing worse is drawn in practice.

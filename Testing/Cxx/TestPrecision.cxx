@@ -123,14 +123,13 @@ TEST_P(TestPrecision, OpacityOneHidesWhatLiesBehind)
       scene.Translucent.push_back({ whole((8 + 4 * i) / 64.0, { { 0.2, 0.6, 1 } }, 0.2) });
     }
     // One actor: a part of it is opaque, so that all of it is drawn among the translucent.
-    scene.Translucent.push_back({ { 0, 0, 200, 300, 0.5, { { 1, 0.2, 0.2 } }, 1 },
-      { 200, 0, 400, 300, 0.5, { { 1, 0.2, 0.2 } }, 0.4 } });
+    scene.Translucent.push_back(
+      { { 0, 0, 200, 300, 0.5, { { 1, 0.2, 0.2 } }, 1 }, { 200, 0, 400, 300, 0.5, { { 1, 0.2, 0.2 } }, 0.4 } });
     const auto hidden = [](const Layer& layer) { return layer[0].Depth > 0.5; };
     if (!behind)
     {
       scene.Translucent.erase(
-        std::remove_if(scene.Translucent.begin(), scene.Translucent.end(), hidden),
-        scene.Translucent.end());
+        std::remove_if(scene.Translucent.begin(), scene.Translucent.end(), hidden), scene.Translucent.end());
     }
     return Draw(scene, New(GetParam()));
   };
@@ -174,6 +173,5 @@ TEST_P(TestPrecision, IdenticalSpheresBothCount)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, TestPrecision,
-  testing::Values(Technique::Exact, Technique::Adaptive),
+INSTANTIATE_TEST_SUITE_P(Techniques, TestPrecision, testing::Values(Technique::Exact, Technique::Adaptive),
   [](const auto& info) { return testing::PrintToString(info.param); });

@@ -1,5 +1,5 @@
-// The reference against what can be computed by hand, and against itself: its three ways to a colour have to meet where the
-// paper says that they do.
+// The reference against what can be computed by hand, and against itself: its three ways to a colour have to meet where
+// the paper says that they do.
 #include "Reference.h"
 
 #include <gtest/gtest.h>
@@ -48,8 +48,7 @@ double WorstCase(int nodeCount, Removal removal, bool corrected)
     std::vector<Fragment> fragments(64);
     for (Fragment& fragment : fragments)
     {
-      fragment = { unit(random), { { unit(random), unit(random), unit(random) } },
-        opacity(random) };
+      fragment = { unit(random), { { unit(random), unit(random), unit(random) } }, opacity(random) };
     }
     const Pixel exact = CompositeExact(fragments);
     const Pixel adaptive = CompositeAdaptive(fragments, nodeCount, removal, corrected);
@@ -69,8 +68,8 @@ TEST(Reference, BlendsTwoByHand)
   const Fragment blue{ 0.75, { { 0, 0, 1 } }, 0.25 };
   for (const std::vector<Fragment>& drawn : { std::vector<Fragment>{ red, blue }, { blue, red } })
   {
-    for (const Pixel& pixel : { CompositeExact(drawn), CompositeIterative(drawn),
-           CompositeAdaptive(drawn, 2, Removal::Underestimate) })
+    for (const Pixel& pixel :
+      { CompositeExact(drawn), CompositeIterative(drawn), CompositeAdaptive(drawn, 2, Removal::Underestimate) })
     {
       EXPECT_DOUBLE_EQ(pixel.Rgb[0], 0.5);
       EXPECT_DOUBLE_EQ(pixel.Rgb[1], 0);
@@ -83,10 +82,9 @@ TEST(Reference, BlendsTwoByHand)
 //------------------------------------------------------------------------------
 TEST(Reference, PutsTheLaterDrawnInFrontAtEqualDepth)
 {
-  const std::vector<Fragment> drawn = { { 0.5, { { 1, 0, 0 } }, 0.5 },
-    { 0.5, { { 0, 1, 0 } }, 0.5 } };
-  for (const Pixel& pixel : { CompositeExact(drawn), CompositeIterative(drawn),
-         CompositeAdaptive(drawn, 2, Removal::Underestimate) })
+  const std::vector<Fragment> drawn = { { 0.5, { { 1, 0, 0 } }, 0.5 }, { 0.5, { { 0, 1, 0 } }, 0.5 } };
+  for (const Pixel& pixel :
+    { CompositeExact(drawn), CompositeIterative(drawn), CompositeAdaptive(drawn, 2, Removal::Underestimate) })
   {
     EXPECT_DOUBLE_EQ(pixel.Rgb[0], 0.25);
     EXPECT_DOUBLE_EQ(pixel.Rgb[1], 0.5);
@@ -175,9 +173,12 @@ TEST_P(TestWorstCase, StaysWithinItsBound)
 }
 
 INSTANTIATE_TEST_SUITE_P(Reference, TestWorstCase,
-  testing::Values(WorstCaseBound{ 4, Removal::Underestimate, 0.21, 0.024 }, WorstCaseBound{ 8, Removal::Underestimate, 0.085, 0.008 },
-    WorstCaseBound{ 16, Removal::Underestimate, 0.025, 0.0017 }, WorstCaseBound{ 32, Removal::Underestimate, 0.006, 0.0001 },
+  testing::Values(WorstCaseBound{ 4, Removal::Underestimate, 0.21, 0.024 },
+    WorstCaseBound{ 8, Removal::Underestimate, 0.085, 0.008 },
+    WorstCaseBound{ 16, Removal::Underestimate, 0.025, 0.0017 },
+    WorstCaseBound{ 32, Removal::Underestimate, 0.006, 0.0001 },
     WorstCaseBound{ 4, Removal::Overestimate, 0.44, 0.041 }, WorstCaseBound{ 8, Removal::Overestimate, 0.14, 0.0195 },
-    WorstCaseBound{ 16, Removal::Overestimate, 0.037, 0.0061 }, WorstCaseBound{ 32, Removal::Overestimate, 0.0048, 0.00045 },
-    WorstCaseBound{ 4, Removal::Mixed, 0.085, 0.032 }, WorstCaseBound{ 8, Removal::Mixed, 0.034, 0.0145 },
-    WorstCaseBound{ 16, Removal::Mixed, 0.012, 0.0035 }, WorstCaseBound{ 32, Removal::Mixed, 0.0026, 0.0002 }));
+    WorstCaseBound{ 16, Removal::Overestimate, 0.037, 0.0061 },
+    WorstCaseBound{ 32, Removal::Overestimate, 0.0048, 0.00045 }, WorstCaseBound{ 4, Removal::Mixed, 0.085, 0.032 },
+    WorstCaseBound{ 8, Removal::Mixed, 0.034, 0.0145 }, WorstCaseBound{ 16, Removal::Mixed, 0.012, 0.0035 },
+    WorstCaseBound{ 32, Removal::Mixed, 0.0026, 0.0002 }));

@@ -1,7 +1,8 @@
-// The look of lit, curved, coloured surfaces: VTK's regression harness with baselines, and a strict comparison beside it.
+// The look of lit, curved, coloured surfaces: VTK's regression harness with baselines, and a strict comparison beside
+// it.
 //
-// A test more is a row more in Looks[], and a baseline of that name in Testing/Data/Baseline. Where there is none, the failing
-// test writes the candidate into the current folder.
+// A test more is a row more in Looks[], and a baseline of that name in Testing/Data/Baseline. Where there is none, the
+// failing test writes the candidate into the current folder.
 #include "RenderTest.h"
 #include "StrictComparison.h"
 
@@ -35,8 +36,7 @@ void PrintTo(const Look& value, std::ostream* os)
   *os << value.Name;
 }
 
-vtkActor* Add(
-  vtkRenderer* renderer, vtkAlgorithm* source, const Reference::Color& color, double opacity)
+vtkActor* Add(vtkRenderer* renderer, vtkAlgorithm* source, const Reference::Color& color, double opacity)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
@@ -78,8 +78,7 @@ void ArrangeSpheres(vtkRenderer* renderer)
     sphere->SetPhiResolution(32);
     sphere->SetRadius(0.8);
     sphere->SetCenter(0.9 * std::cos(i * 0.898), 0.9 * std::sin(i * 0.898), 0.3 * (i % 3) - 0.3);
-    vtkActor* ball =
-      Add(renderer, sphere, { { (i % 2) * 1.0, (i % 3) / 2.0, (i % 4) / 3.0 } }, 0.2 + 0.08 * i);
+    vtkActor* ball = Add(renderer, sphere, { { (i % 2) * 1.0, (i % 3) / 2.0, (i % 4) / 3.0 } }, 0.2 + 0.08 * i);
     ball->GetProperty()->SetSpecular(0.4);
     ball->GetProperty()->SetSpecularPower(20);
   }
@@ -133,8 +132,7 @@ OIIO::ImageBuf ToImage(const Picture& picture)
     for (int x = 0; x < picture.Width; ++x)
     {
       const float pixel[] = { static_cast<float>(picture.At(x, y, 0) / 255),
-        static_cast<float>(picture.At(x, y, 1) / 255),
-        static_cast<float>(picture.At(x, y, 2) / 255) };
+        static_cast<float>(picture.At(x, y, 1) / 255), static_cast<float>(picture.At(x, y, 2) / 255) };
       image.setpixel(x, picture.Height - 1 - y, pixel); // files begin at the top
     }
   }
@@ -144,8 +142,7 @@ OIIO::ImageBuf ToImage(const Picture& picture)
 bool PassesHarness(View& view, const std::string& name)
 {
   vtkNew<vtkTesting> harness;
-  for (const std::string& argument :
-    { std::string("-V"), Baseline(name), std::string("-T"), std::string(".") })
+  for (const std::string& argument : { std::string("-V"), Baseline(name), std::string("-T"), std::string(".") })
   {
     harness->AddArgument(argument.c_str());
   }
@@ -171,13 +168,12 @@ TEST_P(TestRegression, LooksAsItDid)
 
   const std::string path = Baseline(GetParam().Name);
   OIIO::ImageBuf baseline(path);
-  ASSERT_TRUE(baseline.read(0, 0, true, OIIO::TypeDesc::FLOAT))
-    << path << ": " << baseline.geterror();
+  ASSERT_TRUE(baseline.read(0, 0, true, OIIO::TypeDesc::FLOAT)) << path << ": " << baseline.geterror();
   EXPECT_EQ(CompareStrictly(ToImage(drawn), baseline), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Baselines, TestRegression, testing::ValuesIn(Looks),
-  [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Baselines, TestRegression, testing::ValuesIn(Looks), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 TEST(TestStrictComparison, SeesADimmedPicture)

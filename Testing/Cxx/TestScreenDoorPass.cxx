@@ -37,10 +37,11 @@ void PrintTo(const Mask& mask, std::ostream* os)
   *os << mask.Name;
 }
 
-const Mask Masks[] = { { "Ordered4x4", vtkScreenDoorPass::Ordered4x4, 4 }, { "Ordered8x8", vtkScreenDoorPass::Ordered8x8, 8 },
-  { "BlueNoise", vtkScreenDoorPass::BlueNoise, 64 } };
+const Mask Masks[] = { { "Ordered4x4", vtkScreenDoorPass::Ordered4x4, 4 },
+  { "Ordered8x8", vtkScreenDoorPass::Ordered8x8, 8 }, { "BlueNoise", vtkScreenDoorPass::BlueNoise, 64 } };
 
-/// Power of the pattern of the ranks below count at a frequency, in cycles a mask, where that of as many cells at random is 1.
+/// Power of the pattern of the ranks below count at a frequency, in cycles a mask, where that of as many cells at
+/// random is 1.
 double Power(const Ranks& ranks, int size, int count, int u, int v)
 {
   std::complex<double> sum = 0;
@@ -78,7 +79,8 @@ TEST_P(TestScreenDoorMask, HoldsEachRankOnce)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Masks, TestScreenDoorMask, testing::ValuesIn(Masks), [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Masks, TestScreenDoorMask, testing::ValuesIn(Masks), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 TEST(TestOrderedMask, IsBayers)
@@ -297,7 +299,8 @@ TEST_P(TestScreenDoor, IsAsTheMaskMakesIt)
   const AnalyticScene scene = RandomLayers(200, 150, 221, 9, 0.1, 0.9);
   for (int offset : Offsets)
   {
-    const PictureDifference difference = Compare(this->Draw(scene, offset), ComputeScreenDoor(scene, GetParam().Of, offset));
+    const PictureDifference difference =
+      Compare(this->Draw(scene, offset), ComputeScreenDoor(scene, GetParam().Of, offset));
     EXPECT_LE(difference.Largest, 0.5) << difference;
   }
 }
@@ -339,9 +342,11 @@ TEST_F(TestScreenDoorWindow, KeepsTheOpaqueDepth)
     View view(scene);
     vtkNew<vtkScreenDoorPass> pass;
     view.SetPass(pass);
-    for (vtkIdType i = static_cast<vtkIdType>(scene.Opaque.size()); i < view.Renderer->GetViewProps()->GetNumberOfItems(); ++i)
+    for (vtkIdType i = static_cast<vtkIdType>(scene.Opaque.size());
+         i < view.Renderer->GetViewProps()->GetNumberOfItems(); ++i)
     {
-      vtkProp::SafeDownCast(view.Renderer->GetViewProps()->GetItemAsObject(static_cast<int>(i)))->SetVisibility(translucent);
+      vtkProp::SafeDownCast(view.Renderer->GetViewProps()->GetItemAsObject(static_cast<int>(i)))
+        ->SetVisibility(translucent);
     }
     view.Render();
     std::vector<float> values(static_cast<std::size_t>(scene.Width) * scene.Height);
@@ -363,11 +368,13 @@ TEST_F(TestScreenDoorWindow, OptionsOutOfRangeAreErrorsAndChangeNothing)
     pass->SetMask(value);
     std::vector<std::string> messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Mask is " + std::to_string(value) + ", expected ordered-4x4 (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Mask is " + std::to_string(value) + ", expected ordered-4x4 (0)"), std::string::npos)
+      << messages[0];
     pass->SetOffset(value);
     messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Offset is " + std::to_string(value) + ", expected none (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Offset is " + std::to_string(value) + ", expected none (0)"), std::string::npos)
+      << messages[0];
   }
   EXPECT_EQ(pass->GetMTime(), before);
   EXPECT_EQ(pass->GetOption("mask"), "blue-noise");

@@ -68,8 +68,7 @@ TEST_P(TestSortBlock, SortsAsTheStandardLibraryDoes)
       std::vector<SortedFragment> expected = AnyFragments(GetParam());
       bool equalDepths = false;
       const std::vector<SortedFragment> sorted = GetParam().Sort(expected, equalDepths);
-      std::stable_sort(
-        expected.begin(), expected.end(), order == "Content" ? BeforeByContent : NearerThan);
+      std::stable_sort(expected.begin(), expected.end(), order == "Content" ? BeforeByContent : NearerThan);
       RC_ASSERT(sorted.size() == expected.size());
       for (std::size_t i = 0; i < sorted.size(); ++i)
       {
@@ -77,8 +76,7 @@ TEST_P(TestSortBlock, SortsAsTheStandardLibraryDoes)
         RC_ASSERT(order == "None" || Content(sorted[i]) == Content(expected[i]));
         RC_ASSERT(order != "Drawn" || sorted[i].Node == expected[i].Node);
       }
-      RC_ASSERT(equalDepths ==
-        (std::adjacent_find(expected.begin(), expected.end(), AtEqualDepth) != expected.end()));
+      RC_ASSERT(equalDepths == (std::adjacent_find(expected.begin(), expected.end(), AtEqualDepth) != expected.end()));
     }));
 }
 
@@ -103,6 +101,5 @@ TEST_P(TestSortBlock, CarriesEachFragmentAlongOnce)
 }
 
 INSTANTIATE_TEST_SUITE_P(Network, TestSortBlock, testing::ValuesIn(SortVariants()),
-  [](const auto& info) {
-    return info.param.Order + std::to_string(info.param.BlockSize) + "_" + std::to_string(info.param.Channels);
-  });
+  [](const auto& info)
+  { return info.param.Order + std::to_string(info.param.BlockSize) + "_" + std::to_string(info.param.Channels); });

@@ -1,4 +1,5 @@
-// Blending in the order of depth: exact where objects, or polygons, lie one behind the other as a whole; and nothing of the user's is changed.
+// Blending in the order of depth: exact where objects, or polygons, lie one behind the other as a whole; and nothing of
+// the user's is changed.
 #include "RenderTest.h"
 
 #include <vtkActor.h>
@@ -15,7 +16,8 @@ namespace
 {
 constexpr double LeastAlpha = 0.2;
 
-// Over rounds source, destination and sum at each layer, by 1/255 at most together, of which each later layer hides a part.
+// Over rounds source, destination and sum at each layer, by 1/255 at most together, of which each later layer hides a
+// part.
 constexpr double OverBound = 1 / LeastAlpha + 0.5;
 constexpr double UnderBound = 1.5; // rounds once, and what shows through
 
@@ -47,7 +49,8 @@ std::vector<Case> Cases(bool onlyCentroid)
         {
           continue;
         }
-        cases.push_back({ std::string(orderName) + operatorName + (samples > 0 ? "MultiSampled" : ""), order, which, samples });
+        cases.push_back(
+          { std::string(orderName) + operatorName + (samples > 0 ? "MultiSampled" : ""), order, which, samples });
       }
     }
   }
@@ -173,8 +176,8 @@ TEST_P(TestSorted, LeavesActorsAsTheyAre)
   vtkActor* actor = LastActor(view);
   const auto times = [actor]
   {
-    return std::vector<vtkMTimeType>{ actor->GetMTime(), actor->GetProperty()->GetMTime(), actor->GetMapper()->GetMTime(),
-      actor->GetMapper()->GetInput()->GetMTime() };
+    return std::vector<vtkMTimeType>{ actor->GetMTime(), actor->GetProperty()->GetMTime(),
+      actor->GetMapper()->GetMTime(), actor->GetMapper()->GetInput()->GetMTime() };
   };
   const std::vector<vtkMTimeType> before = times();
   const Picture drawn = view.Render();
@@ -237,12 +240,12 @@ using TestBackface = RenderTest;
 TEST_F(TestBackface, IsExactForConvexObjects)
 {
   const std::pair<std::string, std::function<void(vtkActor*)>> arrangements[] = {
-    { "as it is", [](vtkActor*) {} },
-    { "mirrored", [](vtkActor* ball) { ball->SetScale(-1, 1, 0.005); } },
+    { "as it is", [](vtkActor*) {} }, { "mirrored", [](vtkActor* ball) { ball->SetScale(-1, 1, 0.005); } },
     { "without back faces", [](vtkActor* ball) { ball->GetProperty()->BackfaceCullingOn(); } },
     { "without front faces", [](vtkActor* ball) { ball->GetProperty()->FrontfaceCullingOn(); } },
     { "as lines",
-      [](vtkActor* ball) { ball->GetProperty()->SetRepresentationToWireframe(); } }, // in one colour: of lines, none is behind
+      [](vtkActor* ball)
+      { ball->GetProperty()->SetRepresentationToWireframe(); } }, // in one colour: of lines, none is behind
   };
   for (int samples : { 0, 4 })
   {
@@ -287,11 +290,13 @@ TEST_F(TestSortedOptions, OutOfRangeAreErrorsAndChangeNothing)
     pass->SetOrder(value);
     std::vector<std::string> messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Order is " + std::to_string(value) + ", expected object (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Order is " + std::to_string(value) + ", expected object (0)"), std::string::npos)
+      << messages[0];
     pass->SetOperator(value);
     messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("Operator is " + std::to_string(value) + ", expected over (0)"), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("Operator is " + std::to_string(value) + ", expected over (0)"), std::string::npos)
+      << messages[0];
   }
   EXPECT_EQ(pass->GetMTime(), before);
   EXPECT_EQ(pass->GetOption("order"), "object");

@@ -1,4 +1,5 @@
-// What must not become slow without anyone noticing: ratios of times taken in turn, with bounds that only a cliff passes.
+// What must not become slow without anyone noticing: ratios of times taken in turn, with bounds that only a cliff
+// passes.
 #include "RenderTest.h"
 
 #include <vtkTranslucencyStatistics.h>
@@ -27,12 +28,12 @@ protected:
 };
 
 //------------------------------------------------------------------------------
-// A compiler that does not unroll a loop over the nodes makes the resolve ten times slower; here the steps of 64 nodes are
-// four times those of 16.
+// A compiler that does not unroll a loop over the nodes makes the resolve ten times slower; here the steps of 64 nodes
+// are four times those of 16.
 TEST_F(TestSpeed, NodesStayInRegistersUpTo64)
 {
-  for (int removal : { vtkAdaptiveTransparencyPass::Underestimate,
-         vtkAdaptiveTransparencyPass::Overestimate, vtkAdaptiveTransparencyPass::Mixed })
+  for (int removal : { vtkAdaptiveTransparencyPass::Underestimate, vtkAdaptiveTransparencyPass::Overestimate,
+         vtkAdaptiveTransparencyPass::Mixed })
   {
     vtkNew<vtkAdaptiveTransparencyPass> few;
     vtkNew<vtkAdaptiveTransparencyPass> many;

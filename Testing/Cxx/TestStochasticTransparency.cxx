@@ -1,5 +1,6 @@
-// Stochastic transparency against its theory: right on average, with the noise that the same method has on the CPU, exact where chance plays no
-// part, the same in any order of drawing, and refined over frames as long as nothing changes.
+// Stochastic transparency against its theory: right on average, with the noise that the same method has on the CPU,
+// exact where chance plays no part, the same in any order of drawing, and refined over frames as long as nothing
+// changes.
 #include "RenderTest.h"
 
 #include <vtkActor.h>
@@ -19,9 +20,9 @@
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkStochasticTransparencyPass.h>
+#include <vtkTransform.h>
 #include <vtkTranslucencyOption.h>
 #include <vtkTranslucencyStatistics.h>
-#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -213,8 +214,9 @@ class TestStochasticSamples
 };
 
 //------------------------------------------------------------------------------
-// Each channel's mean over the seeds lies within three standard errors of the exact one as often as Student's distribution says (99.6 %
-// with 63 degrees of freedom), and the mean of all channels' errors within three of its own, which are much smaller.
+// Each channel's mean over the seeds lies within three standard errors of the exact one as often as Student's
+// distribution says (99.6 % with 63 degrees of freedom), and the mean of all channels' errors within three of its own,
+// which are much smaller.
 TEST_P(TestStochasticSamples, AreRightOnAverageWithoutAlphaCorrection)
 {
   constexpr int Seeds = 64;
@@ -235,7 +237,8 @@ TEST_P(TestStochasticSamples, AreRightOnAverageWithoutAlphaCorrection)
       variance += drawn.Variance[i] / Seeds;
     }
     EXPECT_LE(far, 0.01 * exact.Rgb.size()) << windowSamples;
-    // The three channels of a pixel may err together, pixels do not. Rounding errs by chance, but for that of the mean of a window's samples.
+    // The three channels of a pixel may err together, pixels do not. Rounding errs by chance, but for that of the mean
+    // of a window's samples.
     const double resolved = windowSamples > 1 ? 0.1 * exact.Rgb.size() : 0;
     EXPECT_LE(std::abs(error), 3 * std::sqrt(3 * variance) + resolved) << windowSamples;
     EXPECT_GT(std::sqrt(variance * Seeds / exact.Rgb.size()), 1) << "there is no noise to speak of";
@@ -311,7 +314,8 @@ TEST_F(TestStochastic, IsExactForFragmentsOfOneColorWithAlphaCorrection)
 TEST_F(TestStochastic, HidesExactlyWhatLiesBehindFullOpacity)
 {
   const Reference::Color hidden{ { 0, 1, 0 } };
-  const AnalyticScene scene = Layers({ Whole(0.75, hidden, 0.5), Whole(0.5, { { 0.6, 0.2, 0.4 } }, 1), Whole(0.625, hidden, 1) });
+  const AnalyticScene scene =
+    Layers({ Whole(0.75, hidden, 0.5), Whole(0.5, { { 0.6, 0.2, 0.4 } }, 1), Whole(0.625, hidden, 1) });
   for (const AnalyticScene& drawn : { scene, scene.Reversed() })
   {
     for (bool correction : { false, true })
@@ -336,7 +340,8 @@ TEST_F(TestStochastic, IsTheSameInAnyOrderOfDrawing)
 }
 
 //------------------------------------------------------------------------------
-// Fragments that differ in depth alone, or in colour alone, cover samples of their own, and hide what lies behind them both.
+// Fragments that differ in depth alone, or in colour alone, cover samples of their own, and hide what lies behind them
+// both.
 TEST_F(TestStochastic, TellsFragmentsOfAPixelApart)
 {
   const Rectangle nearer = Whole(0.25, { { 0.2, 0.1, 0.3 } }, 0.5);
@@ -563,7 +568,9 @@ const Change Changes[] = {
   { "OpaqueTransform", [](Balls& view, auto*) { view.Opaque->AddPosition(-10, 0, 0); } },
   { "Opacity", [](Balls& view, auto*) { view.Ball->GetProperty()->SetOpacity(0.6); } },
   { "Color", [](Balls& view, auto*) { view.Ball->GetProperty()->SetColor(1, 0, 0); } },
-  { "Light", [](Balls& view, auto*) { vtkLight::SafeDownCast(view.Renderer->GetLights()->GetItemAsObject(0))->SetIntensity(0.5); } },
+  { "Light",
+    [](Balls& view, auto*)
+    { vtkLight::SafeDownCast(view.Renderer->GetLights()->GetItemAsObject(0))->SetIntensity(0.5); } },
   { "ClippingPlane",
     [](Balls& view, auto*)
     {

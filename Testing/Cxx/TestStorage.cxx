@@ -1,5 +1,5 @@
-// Where fragments lie does not change the picture: every design of storage against linked lists, and what each counts against what
-// the closed forms say.
+// Where fragments lie does not change the picture: every design of storage against linked lists, and what each counts
+// against what the closed forms say.
 #include "RenderTest.h"
 
 #include <vtkActor.h>
@@ -27,7 +27,8 @@
 namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
-constexpr double WorstOfOrders = 1.15; // by how much the error of one order of insertion may be above that of another: measured up to 1.08
+constexpr double WorstOfOrders =
+  1.15; // by how much the error of one order of insertion may be above that of another: measured up to 1.08
 
 struct Storage
 {
@@ -43,7 +44,8 @@ void PrintTo(const Storage& value, std::ostream* os)
 
 Storage Sections(const std::string& name, const std::string& design, int length)
 {
-  return { name + std::to_string(length), { { "storage", design }, { "section_length", std::to_string(length) } }, true };
+  return { name + std::to_string(length), { { "storage", design }, { "section_length", std::to_string(length) } },
+    true };
 }
 
 const Storage LinkedList{ "LinkedList", { { "storage", "linked-list" } }, true };
@@ -65,7 +67,8 @@ vtkCellStorage* CellStorageOf(vtkFragmentListPass* pass)
   return vtkCellStorage::SafeDownCast(pass->GetStorage());
 }
 
-// From left to right: tens of layers, hundreds of layers on a small part, and nothing; balls over all, whose triangles cover pixels in part.
+// From left to right: tens of layers, hundreds of layers on a small part, and nothing; balls over all, whose triangles
+// cover pixels in part.
 AnalyticScene Mixed()
 {
   AnalyticScene scene;
@@ -104,18 +107,22 @@ void Fill(View& view, bool transmitting)
   }
 }
 
-// One of each design, whatever else changes; other lengths of sections, some of which do not come out even with vectors and blocks.
+// One of each design, whatever else changes; other lengths of sections, some of which do not come out even with vectors
+// and blocks.
 const std::vector<Storage> Designs{ LinkedList, TBuffer, MBuffer, RBuffer };
-const std::vector<Storage> Lengths{ Sections("T", "t-buffer", 1), Sections("T", "t-buffer", 2), Sections("T", "t-buffer", 3),
-  Sections("T", "t-buffer", 8), Sections("T", "t-buffer", 64), Sections("M", "m-buffer", 1), Sections("M", "m-buffer", 5) };
+const std::vector<Storage> Lengths{ Sections("T", "t-buffer", 1), Sections("T", "t-buffer", 2),
+  Sections("T", "t-buffer", 3), Sections("T", "t-buffer", 8), Sections("T", "t-buffer", 64),
+  Sections("M", "m-buffer", 1), Sections("M", "m-buffer", 5) };
 
 struct Technique
 {
   std::string Name;
   std::string Technique;
   Settings Options;
-  int AnyOrder; // what the order of depth instead of that of drawing changes, at most, in units of 1/255, one more than measured
-  int AnyOrderUnmerged; // the same where triangles that meet in a multi-sampled pixel do not share a fragment, and lists are longer
+  int AnyOrder; // what the order of depth instead of that of drawing changes, at most, in units of 1/255, one more than
+                // measured
+  int AnyOrderUnmerged; // the same where triangles that meet in a multi-sampled pixel do not share a fragment, and
+                        // lists are longer
 };
 
 const std::vector<Technique> Techniques{
@@ -153,7 +160,8 @@ void ExpectClosedForms(vtkStorageCountPass* pass)
 }
 
 // Frames from little room on: the first has to grow, the second starts with what that needed.
-void ExpectSamePictures(const Storage& storage, const Technique& technique, const Settings& more, int samples, bool transmitting)
+void ExpectSamePictures(
+  const Storage& storage, const Technique& technique, const Settings& more, int samples, bool transmitting)
 {
   View view(Mixed(), samples);
   Fill(view, transmitting);
@@ -188,7 +196,8 @@ void ExpectSamePictures(const Storage& storage, const Technique& technique, cons
       testing::Test::RecordProperty("errors", std::to_string(error) + ", " + std::to_string(reordered));
     }
     EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
-    if (pass->GetStorageDesign() != vtkFragmentListPass::MBuffer) // which has room for every pixel, and other sections next time
+    if (pass->GetStorageDesign() !=
+      vtkFragmentListPass::MBuffer) // which has room for every pixel, and other sections next time
     {
       EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses() > 1, frame == 0);
     }
@@ -213,7 +222,8 @@ TEST_P(TestStorage, DrawsAsLinkedListsDo)
 TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
 {
   const auto& [storage, samples] = GetParam();
-  ExpectSamePictures(storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, true);
+  ExpectSamePictures(
+    storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, true);
 }
 
 // What shaders count, and what the closed forms expect from nothing but the histogram.
@@ -270,8 +280,7 @@ TEST_P(TestStorage, KeepsTheLimit)
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, TestStorage, testing::Combine(testing::ValuesIn(Designs), testing::Values(1, 4)),
-  [](const auto& info)
-  { return std::get<0>(info.param).Name + "Samples" + std::to_string(std::get<1>(info.param)); });
+  [](const auto& info) { return std::get<0>(info.param).Name + "Samples" + std::to_string(std::get<1>(info.param)); });
 
 //------------------------------------------------------------------------------
 class TestStorageInBytes
@@ -285,7 +294,8 @@ TEST_P(TestStorageInBytes, DrawsAsLinkedListsDo)
   ExpectSamePictures(GetParam(), Techniques[0], { { "color_format", "rgba8" } }, 1, false);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, TestStorageInBytes, testing::ValuesIn(Designs), [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Designs, TestStorageInBytes, testing::ValuesIn(Designs), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 class TestStorageLengths
@@ -297,12 +307,15 @@ class TestStorageLengths
 TEST_P(TestStorageLengths, DrawAsLinkedListsDo)
 {
   const auto& [storage, samples] = GetParam();
-  ExpectSamePictures(storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, false);
+  ExpectSamePictures(
+    storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, false);
 }
 
-INSTANTIATE_TEST_SUITE_P(OneSample, TestStorageLengths, testing::Combine(testing::ValuesIn(Lengths), testing::Values(1)),
+INSTANTIATE_TEST_SUITE_P(OneSample, TestStorageLengths,
+  testing::Combine(testing::ValuesIn(Lengths), testing::Values(1)),
   [](const auto& info) { return std::get<0>(info.param).Name; });
-INSTANTIATE_TEST_SUITE_P(FourSamples, TestStorageLengths, testing::Combine(testing::Values(Lengths[1], Lengths[4], Lengths[6]), testing::Values(4)),
+INSTANTIATE_TEST_SUITE_P(FourSamples, TestStorageLengths,
+  testing::Combine(testing::Values(Lengths[1], Lengths[4], Lengths[6]), testing::Values(4)),
   [](const auto& info) { return std::get<0>(info.param).Name; });
 
 //------------------------------------------------------------------------------
@@ -325,7 +338,8 @@ const auto OtherTechniques = testing::ValuesIn(std::vector<Technique>(Techniques
 
 std::string NameOf(const testing::TestParamInfo<std::tuple<Storage, Technique, int>>& info)
 {
-  return std::get<0>(info.param).Name + std::get<1>(info.param).Name + "Samples" + std::to_string(std::get<2>(info.param));
+  return std::get<0>(info.param).Name + std::get<1>(info.param).Name + "Samples" +
+    std::to_string(std::get<2>(info.param));
 }
 }
 
@@ -353,8 +367,8 @@ TEST_F(TestStorageOrder, RBuffersFragmentsComeFromTheNearestOn)
   {
     SCOPED_TRACE(nodes);
     const Compositor composite = AdaptiveCompositor(nodes, Reference::Removal::Underestimate);
-    const Picture expected =
-      scene.RoundedToHalf().Compute([&](const std::vector<Reference::Fragment>& fragments) { return composite(byDepth(fragments)); });
+    const Picture expected = scene.RoundedToHalf().Compute(
+      [&](const std::vector<Reference::Fragment>& fragments) { return composite(byDepth(fragments)); });
     const auto pass = New(RBuffer, "adaptive", { { "nodes", std::to_string(nodes) } });
     view.SetPass(pass);
     EXPECT_LE(Compare(view.Render(), expected).Largest, nodes < 16 ? 2 : 1);
@@ -370,7 +384,8 @@ using TestStorageOfPoints = RenderTest;
 namespace
 {
 // Points as large as a pixel, in the order of their indices.
-vtkSmartPointer<vtkActor> NewPoints(int count, const std::function<std::array<double, 2>(int)>& pixelOf, unsigned int seed)
+vtkSmartPointer<vtkActor> NewPoints(
+  int count, const std::function<std::array<double, 2>(int)>& pixelOf, unsigned int seed)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> depth(0.01, 0.99);
@@ -445,7 +460,8 @@ TEST_F(TestStorageOfPoints, AMillionOver4096Pixels)
   {
     at = { { static_cast<double>(pixel(random)), static_cast<double>(pixel(random)) } };
   }
-  ExpectTheSameFrom({ LinkedList, TBuffer, Sections("T", "t-buffer", 1), Sections("T", "t-buffer", 64), MBuffer, RBuffer }, 64, 64,
+  ExpectTheSameFrom(
+    { LinkedList, TBuffer, Sections("T", "t-buffer", 1), Sections("T", "t-buffer", 64), MBuffer, RBuffer }, 64, 64,
     1000000, [&](int i) { return pixels[i]; }, 0);
 }
 
@@ -566,7 +582,8 @@ TEST_F(TestStorageProperties, WhatFixedMemoryDoesNotUseIsToldOnce)
   view.Render();
   EXPECT_TRUE(TakeMessages().empty());
   pass->SetStorageDesign(vtkFragmentListPass::MBuffer);
-  for (const char* expected : { "StorageDesign is m-buffer, but Memory is Fixed", "StorageDesign is m-buffer, MemoryLimit is 12, but Memory is Fixed" })
+  for (const char* expected : { "StorageDesign is m-buffer, but Memory is Fixed",
+         "StorageDesign is m-buffer, MemoryLimit is 12, but Memory is Fixed" })
   {
     view.Render();
     const std::vector<std::string> messages = TakeMessages();
@@ -588,7 +605,10 @@ TEST_F(TestStorageProperties, ASectionLengthWithoutSectionsIsToldOnce)
   view.Render();
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("SectionLength is 7, but linked-list has no sections, expected the storage t-buffer or m-buffer"), std::string::npos) << messages[0];
+  EXPECT_NE(
+    messages[0].find("SectionLength is 7, but linked-list has no sections, expected the storage t-buffer or m-buffer"),
+    std::string::npos)
+    << messages[0];
   view.Render();
   EXPECT_TRUE(TakeMessages().empty());
 }

@@ -1,4 +1,5 @@
-// What designs of fragment storage take: the figures of the T-buffer's paper, and the closed forms against a simulator that knows none.
+// What designs of fragment storage take: the figures of the T-buffer's paper, and the closed forms against a simulator
+// that knows none.
 #include "vtkStorageAccounting.h"
 #include "vtkStorageSimulator.h"
 
@@ -19,9 +20,9 @@ using Fragments = std::vector<Fragment>;
 /// Table 1 of the paper: eight frames of QUAKE4; pixels of 1 to 5 fragments.
 std::vector<Accounting::Histogram> PaperFrames()
 {
-  const std::vector<std::vector<std::int64_t>> table{ { 5812, 956, 6633, 2279, 189 }, { 5723, 956, 6634, 2278, 189 }, { 8713, 956, 6634, 2278, 189 },
-    { 32588, 12040, 7235, 2279, 189 }, { 26082, 2729, 6636, 2179, 121 }, { 27421, 7094, 7006, 1569, 173 }, { 15728, 3290, 6770, 1296, 15 },
-    { 95226, 8716, 6711, 671, 0 } };
+  const std::vector<std::vector<std::int64_t>> table{ { 5812, 956, 6633, 2279, 189 }, { 5723, 956, 6634, 2278, 189 },
+    { 8713, 956, 6634, 2278, 189 }, { 32588, 12040, 7235, 2279, 189 }, { 26082, 2729, 6636, 2179, 121 },
+    { 27421, 7094, 7006, 1569, 173 }, { 15728, 3290, 6770, 1296, 15 }, { 95226, 8716, 6711, 671, 0 } };
   std::vector<Accounting::Histogram> frames;
   for (const auto& row : table)
   {
@@ -78,7 +79,8 @@ std::vector<std::vector<float>> Expected(const Accounting::Layout& layout, const
     }
     else if (layout.Kind == Design::RBuffer)
     {
-      std::stable_sort(pixel.begin(), pixel.end(), [&fragments](float a, float b)
+      std::stable_sort(pixel.begin(), pixel.end(),
+        [&fragments](float a, float b)
         { return fragments[static_cast<std::size_t>(a)].Depth > fragments[static_cast<std::size_t>(b)].Depth; });
     }
   }
@@ -98,7 +100,8 @@ void ExpectSame(const Accounting::Cost& simulated, const Accounting::Cost& compu
 }
 
 /// The simulator comes to the closed form's numbers, and gives back every fragment in its place.
-void Check(const Accounting::Settings& settings, int width, int height, const Fragments& fragments, const std::vector<Design>& designs)
+void Check(const Accounting::Settings& settings, int width, int height, const Fragments& fragments,
+  const std::vector<Design>& designs)
 {
   const Accounting accounting(settings, { vtkStorageSimulator::Count(width, height, fragments) });
   ASSERT_EQ(accounting.GetError(), "");
@@ -139,7 +142,8 @@ TEST(TestStorageAccounting, LongSectionsOfShallowPixelsTakeMoreThanTheRBuffer)
   const Accounting accounting = PaperAccounting(3); // section 4: frame 480, and no other
   for (std::size_t frame = 0; frame < 8; ++frame)
   {
-    const bool more = accounting.GetCost(Design::TBuffer, frame).Bytes > accounting.GetCost(Design::RBuffer, frame).Bytes;
+    const bool more =
+      accounting.GetCost(Design::TBuffer, frame).Bytes > accounting.GetCost(Design::RBuffer, frame).Bytes;
     EXPECT_EQ(more, frame == 7) << "frame " << frame;
   }
 }
@@ -207,7 +211,8 @@ TEST(TestStorageAccounting, ChoosesAddresses)
 //------------------------------------------------------------------------------
 TEST(TestStorageAccounting, SaysWhatIsWrong)
 {
-  const auto error = [](const Accounting::Settings& settings, const Accounting::Histogram& frame) { return Accounting(settings, { frame }).GetError(); };
+  const auto error = [](const Accounting::Settings& settings, const Accounting::Histogram& frame)
+  { return Accounting(settings, { frame }).GetError(); };
   const Accounting::Histogram frame{ 4, 4, { { 3, 5 } } };
   Accounting::Settings settings;
   EXPECT_EQ(error(settings, frame), "");
@@ -228,7 +233,8 @@ TEST(TestStorageAccounting, SaysWhatIsWrong)
   EXPECT_EQ(error({}, { 4, 4, { { 0, 5 } } }), "frame 0: fragments of a pixel is 0, expected 1 to 1000000000");
   EXPECT_EQ(error({}, { 4, 4, { { 2, 10 }, { 3, 7 } } }), "frame 0: pixels of 3 fragments is 7, expected 0 to 6");
   EXPECT_EQ(error({}, { 4, 4, { { 2, -1 } } }), "frame 0: pixels of 2 fragments is -1, expected 0 to 16");
-  EXPECT_EQ(error({}, { 4, 4, { { 600000000, 2 } } }), "frame 0 has more than 1000000000 fragments, expected at most as many");
+  EXPECT_EQ(
+    error({}, { 4, 4, { { 600000000, 2 } } }), "frame 0 has more than 1000000000 fragments, expected at most as many");
 }
 
 //------------------------------------------------------------------------------
@@ -256,7 +262,8 @@ RC_GTEST_PROP(TestStorageSimulator, ComesToTheClosedForms, ())
   const int width = *rc::gen::inRange(1, 9);
   const int height = *rc::gen::inRange(1, 9);
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, 600);
-  Check(settings, width, height, RandomFragments(width, height, count, *rc::gen::arbitrary<unsigned int>()), vtkStorageDesign::GetAll());
+  Check(settings, width, height, RandomFragments(width, height, count, *rc::gen::arbitrary<unsigned int>()),
+    vtkStorageDesign::GetAll());
   RC_ASSERT(!testing::Test::HasFailure());
 }
 

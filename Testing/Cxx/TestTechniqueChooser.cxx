@@ -40,7 +40,8 @@ struct World
     const Chooser::Candidate& one = Some[chosen];
     Chooser::Cost cost;
     cost.Milliseconds = this->Milliseconds[chosen] * noise;
-    cost.Bytes = one.BytesPerFragment * this->Fragments + (one.BytesPerPixel + one.BytesPerSample * this->Samples) * Mebi;
+    cost.Bytes =
+      one.BytesPerFragment * this->Fragments + (one.BytesPerPixel + one.BytesPerSample * this->Samples) * Mebi;
     cost.Fragments = this->Fragments;
     chooser.Observe(cost);
     return chosen;
@@ -289,7 +290,8 @@ RC_GTEST_PROP(TestTechniqueChooser, ComesToRestOnAStillScene, ())
   {
     time = number(1, 60);
   }
-  // Noise that repeats itself: a chosen one that is not left within a period is never left. Noise without an end would leave some at any time.
+  // Noise that repeats itself: a chosen one that is not left within a period is never left. Noise without an end would
+  // leave some at any time.
   std::vector<double> noise(number(1, 11));
   for (double& one : noise)
   {

@@ -1,5 +1,5 @@
-// Techniques without lists against pictures computed from their own theory, with 1 and 4 samples a pixel and under each critical section that
-// the driver has. A technique more is a row more in Techniques().
+// Techniques without lists against pictures computed from their own theory, with 1 and 4 samples a pixel and under each
+// critical section that the driver has. A technique more is a row more in Techniques().
 #include "RenderTest.h"
 
 #include <vtkOpenGLRenderWindow.h>
@@ -20,7 +20,7 @@ struct Technique
   std::string Technique;
   Settings Options;
   Compositor Compute;
-  bool Locks; // whether it has a critical section
+  bool Locks;    // whether it has a critical section
   bool AnyOrder; // whether the order of drawing does not matter
 };
 
@@ -45,16 +45,18 @@ Technique Layers(const std::string& name, int layers, Tail tail)
 
 Technique LayersOfBytes(const std::string& name, int layers, Tail tail)
 {
-  return { name + std::to_string(layers) + "Bytes", name, { { "layers", std::to_string(layers) }, { "color_format", "rgba8" } },
-    [=](const std::vector<Fragment>& fragments) { return Reference::CompositeLayers(fragments, layers, tail, true); }, false,
-    tail != Tail::Merge };
+  return { name + std::to_string(layers) + "Bytes", name,
+    { { "layers", std::to_string(layers) }, { "color_format", "rgba8" } },
+    [=](const std::vector<Fragment>& fragments) { return Reference::CompositeLayers(fragments, layers, tail, true); },
+    false, tail != Tail::Merge };
 }
 
 // In fixed memory the fragment drawn first is inserted first, and transmittances take 16 bits.
 Technique AdaptiveFixed(int nodes, const std::string& removal, Reference::Removal rule, bool corrected = true)
 {
   return { "AdaptiveFixed" + std::to_string(nodes) + removal + (corrected ? "" : "Uncorrected"), "adaptive",
-    { { "memory", "fixed" }, { "nodes", std::to_string(nodes) }, { "removal", removal }, { "alpha_correction", corrected ? "on" : "off" } },
+    { { "memory", "fixed" }, { "nodes", std::to_string(nodes) }, { "removal", removal },
+      { "alpha_correction", corrected ? "on" : "off" } },
     [=](std::vector<Fragment> fragments)
     {
       std::reverse(fragments.begin(), fragments.end());
@@ -71,7 +73,8 @@ Technique BucketSort()
 Technique Blended(const std::string& function, const std::function<double(double)>& weight)
 {
   return { "WeightedBlended_" + function, "weighted", { { "method", "blended" }, { "weight_function", function } },
-    [=](const std::vector<Fragment>& fragments) { return Reference::CompositeWeightedBlended(fragments, weight); }, false, true };
+    [=](const std::vector<Fragment>& fragments) { return Reference::CompositeWeightedBlended(fragments, weight); },
+    false, true };
 }
 
 // The distance for a depth of the analytic scenes, whose projection is parallel.
@@ -92,9 +95,11 @@ std::vector<Technique> Techniques()
     Layers("kbuffer", 1, Tail::Drop), Layers("kbuffer", 8, Tail::Drop), Layers("hybrid", 1, Tail::Average),
     Layers("hybrid", 8, Tail::Average), LayersOfBytes("mlab", 4, Tail::Merge), LayersOfBytes("kbuffer", 16, Tail::Drop),
     LayersOfBytes("hybrid", 8, Tail::Average), AdaptiveFixed(1, "underestimate", Removal::Underestimate),
-    AdaptiveFixed(8, "underestimate", Removal::Underestimate), AdaptiveFixed(16, "underestimate", Removal::Underestimate),
+    AdaptiveFixed(8, "underestimate", Removal::Underestimate),
+    AdaptiveFixed(16, "underestimate", Removal::Underestimate),
     AdaptiveFixed(16, "overestimate", Removal::Overestimate), AdaptiveFixed(23, "mixed", Removal::Mixed),
-    AdaptiveFixed(64, "underestimate", Removal::Underestimate), AdaptiveFixed(8, "underestimate", Removal::Underestimate, false), BucketSort(),
+    AdaptiveFixed(64, "underestimate", Removal::Underestimate),
+    AdaptiveFixed(8, "underestimate", Removal::Underestimate, false), BucketSort(),
     { "WeightedSum", "weighted", { { "method", "sum" } }, Reference::CompositeWeightedSum, false, true },
     { "WeightedAverage", "weighted", { { "method", "average" } }, Reference::CompositeWeightedAverage, false, true },
     Blended("equation7",
@@ -117,7 +122,8 @@ std::vector<Technique> Techniques()
 std::vector<Technique> Techniques(bool Technique::*is)
 {
   std::vector<Technique> techniques = Techniques();
-  techniques.erase(std::remove_if(techniques.begin(), techniques.end(), [is](const Technique& one) { return !(one.*is); }),
+  techniques.erase(
+    std::remove_if(techniques.begin(), techniques.end(), [is](const Technique& one) { return !(one.*is); }),
     techniques.end());
   return techniques;
 }
@@ -186,8 +192,8 @@ TEST_P(TestTechniques, BuildNoShaderAgain)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Matrix, TestTechniques, testing::ValuesIn(Techniques()),
-  [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Matrix, TestTechniques, testing::ValuesIn(Techniques()), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 using TestAnyOrder = TestTechniques;
@@ -232,8 +238,8 @@ using TestCriticalSection = RenderTest;
 TEST_F(TestCriticalSection, ThatTheDriverLacksFallsBack)
 {
   const AnalyticScene scene = RandomLayers(60, 40, 2, 10, 0.02, 0.8);
-  for (const Technique& technique :
-    { Layers("mlab", 4, Tail::Merge), AdaptiveFixed(16, "underestimate", Reference::Removal::Underestimate), BucketSort() })
+  for (const Technique& technique : { Layers("mlab", 4, Tail::Merge),
+         AdaptiveFixed(16, "underestimate", Reference::Removal::Underestimate), BucketSort() })
   {
     const auto pass = New(technique, { { "critical_section", "interlock" } });
     View view(scene);
@@ -283,7 +289,8 @@ TEST_F(TestPixelMemory, InTilesGivesTheSamePicture)
 }
 
 //------------------------------------------------------------------------------
-// Records in colours that fragments fetch are those in buffers, without their counts or with the sums that are else blended.
+// Records in colours that fragments fetch are those in buffers, without their counts or with the sums that are else
+// blended.
 TEST_F(TestPixelMemory, IsLessWhereFragmentsFetchIt)
 {
   const AnalyticScene scene = RandomLayers(100, 75, 2, 20, 0.02, 0.8);

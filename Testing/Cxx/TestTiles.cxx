@@ -12,7 +12,8 @@ namespace
 using Tiles = vtkTranslucencyTiles;
 using Rectangle = Tiles::Rectangle;
 
-/// Draws a frame: cuts tiles that are larger than a number of pixels into a number of parts, until none is. Gives the tiles in the order of drawing.
+/// Draws a frame: cuts tiles that are larger than a number of pixels into a number of parts, until none is. Gives the
+/// tiles in the order of drawing.
 std::vector<Rectangle> Draw(Tiles& tiles, const Rectangle& viewport, int most, int parts)
 {
   std::vector<Rectangle> drawn;
@@ -48,7 +49,8 @@ std::map<std::pair<int, int>, int> CountPixels(const std::vector<Rectangle>& til
 
 RC_GTEST_PROP(TestTiles, DrawEachPixelOnce, ())
 {
-  const Rectangle viewport{ { *rc::gen::inRange(0, 9), *rc::gen::inRange(0, 9), *rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20) } };
+  const Rectangle viewport{ { *rc::gen::inRange(0, 9), *rc::gen::inRange(0, 9), *rc::gen::inRange(1, 20),
+    *rc::gen::inRange(1, 20) } };
   Tiles tiles;
   const auto drawn = Draw(tiles, viewport, *rc::gen::inRange(1, 400), *rc::gen::inRange(2, 50));
   const auto counts = CountPixels(drawn);

@@ -1,4 +1,5 @@
-// Transmission colours: surfaces that let through a part of each of red, green and blue, against pictures computed channel by channel.
+// Transmission colours: surfaces that let through a part of each of red, green and blue, against pictures computed
+// channel by channel.
 #include "RenderTest.h"
 
 #include <vtkActor.h>
@@ -105,7 +106,8 @@ std::vector<Technique> Colored()
 std::vector<Technique> ColoredOf(const std::set<std::string>& techniques)
 {
   std::vector<Technique> chosen = Colored();
-  chosen.erase(std::remove_if(chosen.begin(), chosen.end(), [&](const Technique& one) { return techniques.count(one.Technique) == 0; }),
+  chosen.erase(std::remove_if(chosen.begin(), chosen.end(),
+                 [&](const Technique& one) { return techniques.count(one.Technique) == 0; }),
     chosen.end());
   return chosen;
 }
@@ -132,12 +134,14 @@ struct ColoredNode
   Reference::Color Transmittance; // behind it
 };
 
-// Eq. 5 for each channel, and Eq. 7 with the mean of the three steps; the step that goes moves to the nearer node (Figure 4). Corrected: widths count
-// as wider by 1/256 of the distance from the first node to the last.
+// Eq. 5 for each channel, and Eq. 7 with the mean of the three steps; the step that goes moves to the nearer node
+// (Figure 4). Corrected: widths count as wider by 1/256 of the distance from the first node to the last.
 void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::size_t most, bool corrected)
 {
-  const auto place = std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth > rectangle.Depth; });
-  const Reference::Color before = place == nodes.begin() ? Reference::Color{ { 1, 1, 1 } } : std::prev(place)->Transmittance;
+  const auto place =
+    std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth > rectangle.Depth; });
+  const Reference::Color before =
+    place == nodes.begin() ? Reference::Color{ { 1, 1, 1 } } : std::prev(place)->Transmittance;
   const auto inserted = nodes.insert(place, { rectangle.Depth, before });
   for (auto node = inserted; node != nodes.end(); ++node)
   {
@@ -169,9 +173,9 @@ void Insert(std::vector<ColoredNode>& nodes, const Rectangle& rectangle, std::si
   nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(least));
 }
 
-// Adaptive transparency with so many nodes of three transmittances. Kept fragments are inserted from the last drawn on. Corrected: where there are
-// more fragments than nodes, those without nodes weigh by means, and each channel is scaled so that the weights add up to what it hides, up to the
-// light of all fragments.
+// Adaptive transparency with so many nodes of three transmittances. Kept fragments are inserted from the last drawn on.
+// Corrected: where there are more fragments than nodes, those without nodes weigh by means, and each channel is scaled
+// so that the weights add up to what it hides, up to the light of all fragments.
 AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst, bool corrected)
 {
   return [=](std::vector<Rectangle> covering, const Reference::Color& opaque)
@@ -196,11 +200,14 @@ AnalyticScene::Painter ColoredAdaptive(std::size_t nodeCount, bool lastFirst, bo
       for (const Rectangle& rectangle : covering)
       {
         const double opacity = rectangle.Alpha * (1 - rectangle.Transmission[c]);
-        const auto behind = std::find_if(nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth >= rectangle.Depth; });
-        const auto after = [&](std::ptrdiff_t count) { return count == 0 ? 1 : nodes[static_cast<std::size_t>(count) - 1].Transmittance[c]; };
+        const auto behind = std::find_if(
+          nodes.begin(), nodes.end(), [&](const ColoredNode& node) { return node.Depth >= rectangle.Depth; });
+        const auto after = [&](std::ptrdiff_t count)
+        { return count == 0 ? 1 : nodes[static_cast<std::size_t>(count) - 1].Transmittance[c]; };
         const std::ptrdiff_t inFront = behind - nodes.begin();
         const bool hasNode = behind != nodes.end() && behind->Depth == rectangle.Depth;
-        const double visibility = !correct || hasNode ? after(inFront) : Reference::MeanOf(after(inFront - 1), after(inFront), opacity);
+        const double visibility =
+          !correct || hasNode ? after(inFront) : Reference::MeanOf(after(inFront - 1), after(inFront), opacity);
         light += visibility * rectangle.Alpha * rectangle.Rgb[c];
         all += rectangle.Alpha * rectangle.Rgb[c];
         weights += visibility * opacity;
@@ -226,7 +233,7 @@ void ExpectLight(const Technique& technique)
   const Reference::Color light{ { 0.2, 0.1, 0 } };
   const Reference::Color white{ { 1, 1, 1 } };
   const Reference::Color nearlyWhite{ { 1, 1 - 1e-6, 1 - 1e-7 } };
-  scene.Translucent = { { { 0, 0, 10, 30, 0.25, light, 0.5, white } }, // alone
+  scene.Translucent = { { { 0, 0, 10, 30, 0.25, light, 0.5, white } },          // alone
     { { 20, 0, 30, 30, 0.25, { { 0.4, 0.4, 0.4 } }, 0.5, { { 1, 0, 0.5 } } } }, // hides none of the red
     { { 30, 0, 40, 30, 0.25, light, 0.25, nearlyWhite } } };
   const bool keepsAll = technique.Name != "kbuffer1"; // but the nearest
@@ -246,7 +253,8 @@ void ExpectLight(const Technique& technique)
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
-        EXPECT_NEAR(drawn.Rgb[3 * x + c], expected[c], technique.Bound) << "at " << x << ", channel " << c << ", " << samples << " samples";
+        EXPECT_NEAR(drawn.Rgb[3 * x + c], expected[c], technique.Bound)
+          << "at " << x << ", channel " << c << ", " << samples << " samples";
       }
     };
     expect(5, { { 102 + 25.5, 51 + 12.75, 153 } });
@@ -317,8 +325,8 @@ TEST_P(TestTransmission, ComesAndGoes)
   EXPECT_GE(bytes, pass->GetStatistics()->GetBytes());
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, TestTransmission, testing::ValuesIn(Colored()),
-  [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(
+  Techniques, TestTransmission, testing::ValuesIn(Colored()), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 using TestTransmissionOfAdaptive = RenderTest;
@@ -338,17 +346,20 @@ TEST_F(TestTransmissionOfAdaptive, CompressesThreeTransmittancesAtOnce)
         {
           continue;
         }
-        SCOPED_TRACE(std::string(memory) + " " + std::to_string(nodes) + " " + std::to_string(samples) + (corrected ? "" : " uncorrected"));
+        SCOPED_TRACE(std::string(memory) + " " + std::to_string(nodes) + " " + std::to_string(samples) +
+          (corrected ? "" : " uncorrected"));
         View view(scene, samples);
-        view.SetPass(NewTechnique(
-          "adaptive", { { "memory", memory }, { "nodes", std::to_string(nodes) }, { "alpha_correction", corrected ? "on" : "off" } }));
+        view.SetPass(NewTechnique("adaptive",
+          { { "memory", memory }, { "nodes", std::to_string(nodes) },
+            { "alpha_correction", corrected ? "on" : "off" } }));
         const Picture drawn = view.Render();
         if (!KeepsDrawOrder(view))
         {
           GTEST_SKIP() << "the driver inserts fragments in an order of its own";
         }
         const bool kept = memory[0] == 'v';
-        const PictureDifference difference = Compare(drawn, scene.Compute(ColoredAdaptive(static_cast<std::size_t>(nodes), kept, corrected)));
+        const PictureDifference difference =
+          Compare(drawn, scene.Compute(ColoredAdaptive(static_cast<std::size_t>(nodes), kept, corrected)));
         EXPECT_LE(difference.Largest, bound) << difference;
         EXPECT_EQ(Compare(drawn, exact).Largest <= bound, nodes == 40);
       }
@@ -363,7 +374,8 @@ class TestMeanTransmission
 {
 };
 
-// A technique that keeps one transmittance draws what it draws of surfaces that hide the mean of the three, and says so once.
+// A technique that keeps one transmittance draws what it draws of surfaces that hide the mean of the three, and says so
+// once.
 TEST_P(TestMeanTransmission, OfTechniquesWithOneTransmittance)
 {
   const AnalyticScene scene = RandomLayers(100, 75, 1, 3, 0.2, 0.8).Transmitting(11);
@@ -379,7 +391,8 @@ TEST_P(TestMeanTransmission, OfTechniquesWithOneTransmittance)
   view.Render();
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find("takes the transmission colours of 3 props by their mean"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find("takes the transmission colours of 3 props by their mean"), std::string::npos)
+    << messages[0];
 
   AnalyticScene mean = scene.MeanTransmission();
   for (Layer& layer : mean.Translucent)
@@ -400,19 +413,22 @@ TEST_P(TestMeanTransmission, OfTechniquesWithOneTransmittance)
   EXPECT_LE(difference.Largest, GetParam() == "stochastic" ? 30 : 1) << difference;
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, TestMeanTransmission, testing::ValuesIn([] {
-  std::vector<std::string> names;
-  for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
-  {
-    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
-    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
-    if (vtkTranslucencyPass::SafeDownCast(pass)) // not VTK's own
+INSTANTIATE_TEST_SUITE_P(Techniques, TestMeanTransmission,
+  testing::ValuesIn(
+    []
     {
-      names.push_back(name);
-    }
-  }
-  return names;
-}()),
+      std::vector<std::string> names;
+      for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
+      {
+        const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+        const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
+        if (vtkTranslucencyPass::SafeDownCast(pass)) // not VTK's own
+        {
+          names.push_back(name);
+        }
+      }
+      return names;
+    }()),
   [](const auto& info) { return info.param; });
 
 //------------------------------------------------------------------------------
@@ -442,7 +458,8 @@ TEST_F(TestTransmissionColor, FiltersWhatLiesBehind)
 }
 
 //------------------------------------------------------------------------------
-// Of many surfaces that hide nothing, more than what registers take, all light is there; half of its red lacks behind one that hides red.
+// Of many surfaces that hide nothing, more than what registers take, all light is there; half of its red lacks behind
+// one that hides red.
 TEST_F(TestTransmissionColor, WhiteAddsLight)
 {
   AnalyticScene scene;
@@ -451,7 +468,8 @@ TEST_F(TestTransmissionColor, WhiteAddsLight)
   scene.Background = { { 102 / 255.0, 51 / 255.0, 153 / 255.0 } };
   for (int i = 1; i <= 40; ++i)
   {
-    scene.Translucent.push_back({ { 0, 0, 40, 30, 0.5 + i / 128.0, { { 0.25, 0.125, 0.25 } }, 1 / 32.0, { { 1, 1, 1 } } } });
+    scene.Translucent.push_back(
+      { { 0, 0, 40, 30, 0.5 + i / 128.0, { { 0.25, 0.125, 0.25 } }, 1 / 32.0, { { 1, 1, 1 } } } });
   }
   scene.Translucent.push_back({ { 20, 0, 40, 30, 1 / 128.0, { { 0, 0, 0 } }, 0.5, { { 0, 1, 1 } } } });
   const std::vector<double> light{ 40 * 0.25 / 32 * 255, 40 * 0.125 / 32 * 255, 40 * 0.25 / 32 * 255 };
@@ -472,17 +490,20 @@ TEST_F(TestTransmissionColor, WhiteAddsLight)
 }
 
 //------------------------------------------------------------------------------
-// Two black surfaces, so close that they seem to hide each other, do not make the light before them brighter than it is.
+// Two black surfaces, so close that they seem to hide each other, do not make the light before them brighter than it
+// is.
 TEST_F(TestTransmissionColor, WhiteDoesNotDazzle)
 {
-  const auto whole = [](double depth, double color, double alpha, double transmission) {
-    return Layer{ { 0, 0, 40, 30, depth, { { color, color, color } }, alpha, { { transmission, transmission, transmission } } } };
+  const auto whole = [](double depth, double color, double alpha, double transmission)
+  {
+    return Layer{ { 0, 0, 40, 30, depth, { { color, color, color } }, alpha,
+      { { transmission, transmission, transmission } } } };
   };
   AnalyticScene scene;
   scene.Width = 40;
   scene.Height = 30;
-  scene.Translucent = { whole(0.125, 0.25, 0.5, 1), whole(0.25, 0, 1 / 64.0, 0), whole(0.5, 0, 0.99, 0), whole(0.5 + 1 / 4096.0, 0, 0.99, 0),
-    whole(0.875, 0, 1 / 64.0, 0) };
+  scene.Translucent = { whole(0.125, 0.25, 0.5, 1), whole(0.25, 0, 1 / 64.0, 0), whole(0.5, 0, 0.99, 0),
+    whole(0.5 + 1 / 4096.0, 0, 0.99, 0), whole(0.875, 0, 1 / 64.0, 0) };
   for (const Technique& technique : ColoredOf({ "exact", "fourier", "shadowmap" }))
   {
     SCOPED_TRACE(technique.Name);
@@ -578,7 +599,8 @@ TEST_F(TestTransmissionColor, OfAKeySetByHandIsReportedOnce)
   View view(scene);
   view.SetPass(NewTechnique("exact"));
   vtkActor* last = view.Renderer->GetActors()->GetLastActor();
-  last->GetPropertyKeys()->Set(vtkTranslucencyPass::TRANSMISSION_COLOR(), 2.0, -1.0, std::numeric_limits<double>::quiet_NaN());
+  last->GetPropertyKeys()->Set(
+    vtkTranslucencyPass::TRANSMISSION_COLOR(), 2.0, -1.0, std::numeric_limits<double>::quiet_NaN());
   const Picture drawn = view.Render();
   view.Render();
   const std::vector<std::string> messages = TakeMessages();
@@ -624,7 +646,8 @@ TEST_F(TestTransmissionColor, OfAssembliesAndLevelsOfDetail)
 }
 
 //------------------------------------------------------------------------------
-// Fragments that join neighbours in a multi-sampled window keep their three opacities; limits cut the picture into tiles.
+// Fragments that join neighbours in a multi-sampled window keep their three opacities; limits cut the picture into
+// tiles.
 TEST_F(TestTransmissionColor, InTilesGivesTheSamePicture)
 {
   const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8).Transmitting(12);
@@ -641,7 +664,8 @@ TEST_F(TestTransmissionColor, InTilesGivesTheSamePicture)
 }
 
 //------------------------------------------------------------------------------
-// VTK adds emissive splats to the picture. Any technique draws them as what is white: it hides nothing. Without, they are surfaces.
+// VTK adds emissive splats to the picture. Any technique draws them as what is white: it hides nothing. Without, they
+// are surfaces.
 TEST_F(TestTransmissionColor, OfEmissiveSplatsIsWhite)
 {
   AnalyticScene scene = RandomLayers(100, 75, 3, 2, 0.3, 0.6);
@@ -690,7 +714,8 @@ TEST_F(TestTransmissionColor, OfEmissiveSplatsIsWhite)
       EXPECT_EQ(Compare(view.Render(), surfaces).Largest, 0) << "of black ones, the key says more";
       for (const std::string& message : TakeMessages())
       {
-        EXPECT_NE(message.find("1 props (white for 1 with emissive splats) by their mean"), std::string::npos) << message;
+        EXPECT_NE(message.find("1 props (white for 1 with emissive splats) by their mean"), std::string::npos)
+          << message;
       }
     }
   }

@@ -19,7 +19,8 @@ std::string NameOf(const Way& way)
 // Those that are exact of four layers.
 std::vector<Way> ExactWays()
 {
-  std::vector<Way> ways{ { "adaptive", "memory", "fixed" }, { "peel", "method", "front-to-back" }, { "peel", "method", "bucket-sort" } };
+  std::vector<Way> ways{ { "adaptive", "memory", "fixed" }, { "peel", "method", "front-to-back" },
+    { "peel", "method", "bucket-sort" } };
   for (const char* technique : { "exact", "adaptive", "peel", "mlab", "hybrid", "kbuffer", "sorted", "auto" })
   {
     ways.push_back({ technique, "", "" });
@@ -37,7 +38,8 @@ AnalyticScene Layers(int count)
 }
 
 // Channels of pixels, four each if there is an opacity, in units of 1/255.
-std::vector<double> Shoot(const AnalyticScene& scene, const Way& way, int samples, int scale, double background, double opacity)
+std::vector<double> Shoot(
+  const AnalyticScene& scene, const Way& way, int samples, int scale, double background, double opacity)
 {
   View view(scene, samples);
   view.Window->SetAlphaBitPlanes(1);
@@ -116,7 +118,8 @@ INSTANTIATE_TEST_SUITE_P(Techniques, TestTransparentBackground,
   testing::Combine(testing::ValuesIn(AllWays()), testing::Values(0, 4), testing::Values(1, 2)),
   [](const auto& info)
   {
-    return NameOf(std::get<0>(info.param)) + "Samples" + std::to_string(std::get<1>(info.param)) + "Scale" + std::to_string(std::get<2>(info.param));
+    return NameOf(std::get<0>(info.param)) + "Samples" + std::to_string(std::get<1>(info.param)) + "Scale" +
+      std::to_string(std::get<2>(info.param));
   });
 
 class TestTransparentBackgroundOf
@@ -140,10 +143,12 @@ TEST_P(TestTransparentBackgroundOf, FewLayersIsExact)
     {
       ASSERT_NEAR(drawn[4 * pixel + channel], color.Rgb[3 * pixel + channel], 1.1) << "pixel " << pixel;
     }
-    ASSERT_NEAR(drawn[4 * pixel + 3], 255 - (overWhite.Rgb[3 * pixel] - color.Rgb[3 * pixel]), 1.1) << "pixel " << pixel;
+    ASSERT_NEAR(drawn[4 * pixel + 3], 255 - (overWhite.Rgb[3 * pixel] - color.Rgb[3 * pixel]), 1.1)
+      << "pixel " << pixel;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, TestTransparentBackgroundOf,
   testing::Combine(testing::ValuesIn(ExactWays()), testing::Values(0, 4)),
-  [](const auto& info) { return NameOf(std::get<0>(info.param)) + "Samples" + std::to_string(std::get<1>(info.param)); });
+  [](const auto& info)
+  { return NameOf(std::get<0>(info.param)) + "Samples" + std::to_string(std::get<1>(info.param)); });

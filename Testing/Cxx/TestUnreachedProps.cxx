@@ -1,4 +1,5 @@
-// Props whose shaders the techniques' text does not reach: those that draw by actors of their own, and shaders of the user's own.
+// Props whose shaders the techniques' text does not reach: those that draw by actors of their own, and shaders of the
+// user's own.
 #include "RenderTest.h"
 #include "WatchedPass.h"
 
@@ -190,8 +191,8 @@ TEST_P(TestUnreachedProps, ShaderOfTheUsersHasTwoLayers)
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, TestUnreachedProps,
-  testing::Combine(testing::ValuesIn(OwnTechniques()), testing::Values(0, 4)), [](const auto& info)
-  { return std::get<0>(info.param) + (std::get<1>(info.param) ? "Samples4" : ""); });
+  testing::Combine(testing::ValuesIn(OwnTechniques()), testing::Values(0, 4)),
+  [](const auto& info) { return std::get<0>(info.param) + (std::get<1>(info.param) ? "Samples4" : ""); });
 
 class TestUnreached : public RenderTest
 {

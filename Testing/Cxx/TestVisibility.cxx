@@ -1,5 +1,5 @@
-// The visibility function of adaptive transparency: the shaders' own text on the CPU, against the reference and against what
-// the paper says must hold. Runs under AddressSanitizer and UndefinedBehaviorSanitizer.
+// The visibility function of adaptive transparency: the shaders' own text on the CPU, against the reference and against
+// what the paper says must hold. Runs under AddressSanitizer and UndefinedBehaviorSanitizer.
 #include "Reference.h"
 #include "VisibilityShader.h"
 
@@ -33,8 +33,7 @@ void showValue(const Step& step, std::ostream& os)
 /// Any steps, equal depths rare.
 rc::Gen<std::vector<Step>> Steps()
 {
-  const auto unit = rc::gen::map(
-    rc::gen::inRange(0, 1 << 20), [](int i) { return static_cast<float>(i) / (1 << 20); });
+  const auto unit = rc::gen::map(rc::gen::inRange(0, 1 << 20), [](int i) { return static_cast<float>(i) / (1 << 20); });
   return rc::gen::container<std::vector<Step>>(rc::gen::apply(
     [](float z, float a) {
       return Step{ z, a };
@@ -42,13 +41,12 @@ rc::Gen<std::vector<Step>> Steps()
     unit, unit));
 }
 
-/// Steps whose depths, transmittances and areas are all exact in single precision, so that ties, of depths and of areas,
-/// are common and are ties in the shader as in the reference. Widened areas have 8 bits more: fewer steps.
+/// Steps whose depths, transmittances and areas are all exact in single precision, so that ties, of depths and of
+/// areas, are common and are ties in the shader as in the reference. Widened areas have 8 bits more: fewer steps.
 rc::Gen<std::vector<Step>> ExactSteps(const VisibilityVariant& variant)
 {
   const std::size_t most = variant.Corrected ? 12 : 19;
-  const auto depth =
-    rc::gen::map(rc::gen::inRange(0, 16), [](int i) { return static_cast<float>(i) / 16; });
+  const auto depth = rc::gen::map(rc::gen::inRange(0, 16), [](int i) { return static_cast<float>(i) / 16; });
   const auto alpha = rc::gen::element(0.0f, 0.5f, 0.5f, 0.5f);
   return rc::gen::resize(static_cast<int>(most),
     rc::gen::container<std::vector<Step>>(rc::gen::apply(
@@ -278,7 +276,8 @@ TEST_P(TestPaperVisibility, LosesTheLeastArea)
 //------------------------------------------------------------------------------
 TEST_P(TestVisibility, WeighsAsTheReferenceDoes)
 {
-  // Equal depths are IsExactWithEnoughNodes' matter: once nodes go, which fragment of a depth still has one is arbitrary.
+  // Equal depths are IsExactWithEnoughNodes' matter: once nodes go, which fragment of a depth still has one is
+  // arbitrary.
   EXPECT_TRUE(rc::check("the same weights, where single precision is exact",
     []
     {
@@ -286,16 +285,14 @@ TEST_P(TestVisibility, WeighsAsTheReferenceDoes)
       std::stable_sort(steps.begin(), steps.end(), NearerThan);
       steps.erase(std::unique(steps.begin(), steps.end(), AtEqualDepth), steps.end());
       std::shuffle(steps.begin(), steps.end(), std::mt19937(*rc::gen::arbitrary<unsigned int>()));
-      RC_ASSERT(Weights(GetParam(), steps) ==
-        ReferenceWeights(ReferenceOf(GetParam()), steps));
+      RC_ASSERT(Weights(GetParam(), steps) == ReferenceWeights(ReferenceOf(GetParam()), steps));
     }));
   std::mt19937 random(3);
   for (int i = 0; i < 50; ++i)
   {
     const std::vector<Step> steps = RandomSteps(random, 96);
-    EXPECT_LT(LargestDifference(Weights(GetParam(), steps),
-                ReferenceWeights(ReferenceOf(GetParam()), steps)),
-      Rounding);
+    EXPECT_LT(
+      LargestDifference(Weights(GetParam(), steps), ReferenceWeights(ReferenceOf(GetParam()), steps)), Rounding);
   }
 }
 
@@ -306,16 +303,14 @@ TEST_P(TestVisibility, IsExactWithEnoughNodes)
     []
     {
       std::vector<Step> steps = *rc::gen::oneOf(Steps(), ExactSteps(GetParam()));
-      steps.resize(
-        std::min<std::size_t>(steps.size(), static_cast<std::size_t>(GetParam().NodeCount)));
+      steps.resize(std::min<std::size_t>(steps.size(), static_cast<std::size_t>(GetParam().NodeCount)));
       const std::vector<double> weights = Weights(GetParam(), steps);
       for (std::size_t i = 0; i < steps.size(); ++i)
       {
         double inFront = 1;
         for (std::size_t j = 0; j < steps.size(); ++j)
         {
-          const bool before =
-            steps[j].Depth < steps[i].Depth || (steps[j].Depth == steps[i].Depth && j < i);
+          const bool before = steps[j].Depth < steps[i].Depth || (steps[j].Depth == steps[i].Depth && j < i);
           inFront *= before ? 1 - static_cast<double>(steps[j].Alpha) : 1;
         }
         RC_ASSERT(std::abs(weights[i] - inFront) < Rounding);
@@ -330,8 +325,7 @@ TEST_P(TestVisibility, KnowsOfEqualDepthsWhoseNodesWent)
   std::vector<Step> steps{ { 0.125f, alpha }, { 0.125f, alpha } };
   for (int i = 1; i < GetParam().NodeCount; ++i) // one fragment too many; the two together lose least
   {
-    steps.push_back(
-      { 0.25f + 0.5f * static_cast<float>(i) / static_cast<float>(GetParam().NodeCount), 0.02f });
+    steps.push_back({ 0.25f + 0.5f * static_cast<float>(i) / static_cast<float>(GetParam().NodeCount), 0.02f });
   }
   const std::vector<double> weights = Weights(GetParam(), steps);
   EXPECT_NEAR(weights[0], 1, Rounding);
@@ -553,8 +547,8 @@ INSTANTIATE_TEST_SUITE_P(Shader, TestCorrectedVisibility, testing::ValuesIn(Test
   [](const auto& info) { return info.param.GetName(); });
 
 //------------------------------------------------------------------------------
-// How far weights are from the truth, and from those of the same fragments drawn in another order: both shrink with each
-// node more, which is what makes the method order-independent in practice (section 5.1).
+// How far weights are from the truth, and from those of the same fragments drawn in another order: both shrink with
+// each node more, which is what makes the method order-independent in practice (section 5.1).
 class TestVisibilityOfManyNodes : public testing::TestWithParam<Removal>
 {
 protected:
@@ -616,5 +610,5 @@ TEST_P(TestVisibilityOfManyNodes, ComesCloserToExactAndToEveryOrder)
   EXPECT_LT(last.FromOtherOrder, Rounding);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shader, TestVisibilityOfManyNodes,
-  testing::Values(Removal::Underestimate, Removal::Overestimate, Removal::Mixed));
+INSTANTIATE_TEST_SUITE_P(
+  Shader, TestVisibilityOfManyNodes, testing::Values(Removal::Underestimate, Removal::Overestimate, Removal::Mixed));

@@ -1,4 +1,5 @@
-// Volumes among translucent surfaces: what a ray gathers on its way from one surface to the next is a fragment between them.
+// Volumes among translucent surfaces: what a ray gathers on its way from one surface to the next is a fragment between
+// them.
 #include "GLState.h"
 #include "RenderTest.h"
 
@@ -54,8 +55,8 @@ vtkSmartPointer<vtkImageData> NewCube(const std::function<double(double, double,
 }
 
 // Opacity grows with the value, from 0 to mostOpacity in a distance of 0.1.
-vtkSmartPointer<vtkVolume> NewVolume(vtkVolumeMapper* mapper, vtkImageData* data, const Color& low,
-  const Color& high, double mostOpacity)
+vtkSmartPointer<vtkVolume> NewVolume(
+  vtkVolumeMapper* mapper, vtkImageData* data, const Color& low, const Color& high, double mostOpacity)
 {
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0, 0);
@@ -83,12 +84,8 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(double sampleDistance)
 
 vtkSmartPointer<vtkVolume> NewCloud(vtkVolumeMapper* mapper)
 {
-  const auto data = NewCube(
-    [](double x, double y, double z)
-    {
-      return std::max(0.0, 1 - 1.8 * std::sqrt(x * x + y * y + z * z)) *
-        (0.6 + 0.4 * std::sin(20 * x + 9 * z));
-    });
+  const auto data = NewCube([](double x, double y, double z)
+    { return std::max(0.0, 1 - 1.8 * std::sqrt(x * x + y * y + z * z)) * (0.6 + 0.4 * std::sin(20 * x + 9 * z)); });
   return NewVolume(mapper, data, { { 0.2, 0.5, 1 } }, { { 1, 0.6, 0.1 } }, 0.6);
 }
 
@@ -109,8 +106,7 @@ void AddSheet(vtkRenderer* renderer, const Sheet& sheet)
   source->SetPoint1(3, -3, sheet.Z);
   source->SetPoint2(-3, 3, sheet.Z);
   source->Update();
-  renderer->AddActor(NewUnlitActor(
-    source->GetOutput(), { { sheet.Rgb[0], sheet.Rgb[1], sheet.Rgb[2] } }, sheet.Alpha));
+  renderer->AddActor(NewUnlitActor(source->GetOutput(), { { sheet.Rgb[0], sheet.Rgb[1], sheet.Rgb[2] } }, sheet.Alpha));
 }
 
 void AddSheets(vtkRenderer* renderer)
@@ -146,8 +142,8 @@ void SetCamera(vtkRenderer* renderer, const std::array<double, 3>& position, boo
 class VolumeView : public View
 {
 public:
-  explicit VolumeView(const std::array<double, 3>& position = { { 0.9, 0.7, 2.4 } },
-    bool parallel = false, int samples = 0)
+  explicit VolumeView(
+    const std::array<double, 3>& position = { { 0.9, 0.7, 2.4 } }, bool parallel = false, int samples = 0)
     : View(Width, Height, samples)
   {
     SetCamera(this->Renderer, position, parallel);
@@ -226,8 +222,7 @@ TEST_P(TestVolumes, OfOneDensityAsComputed)
           cross(0.5);
         }
       }
-      EXPECT_NEAR(drawn.At(Width / 2 + 7, Height / 2 - 5, channel), 255 * inside, 1.5)
-        << volumeFirst << " " << channel;
+      EXPECT_NEAR(drawn.At(Width / 2 + 7, Height / 2 - 5, channel), 255 * inside, 1.5) << volumeFirst << " " << channel;
       EXPECT_NEAR(drawn.At(3, 4, channel), 255 * outside, 1) << volumeFirst << " " << channel;
     }
     view.Render();
@@ -277,8 +272,7 @@ TEST_P(TestVolumes, AddedInAnyOrderGiveTheSamePicture)
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, TestVolumes,
-  testing::Values(Technique{ "exact", New<vtkABufferPass> },
-    Technique{ "adaptive", New<vtkAdaptiveTransparencyPass> }),
+  testing::Values(Technique{ "exact", New<vtkABufferPass> }, Technique{ "adaptive", New<vtkAdaptiveTransparencyPass> }),
   [](const auto& info) { return info.param.Name; });
 
 namespace
@@ -287,7 +281,8 @@ struct Storage
 {
   const char* Name;
   Settings Options;
-  int Passes; // over the geometry in the first frame, at least: gathering may have to grow the storage, and then inserting
+  int Passes; // over the geometry in the first frame, at least: gathering may have to grow the storage, and then
+              // inserting
 };
 
 void PrintTo(const Storage& storage, std::ostream* os)
@@ -373,7 +368,9 @@ std::string NameOf(const testing::TestParamInfo<std::tuple<Storage, const char*,
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, TestVolumesInStorage,
-  testing::Combine(testing::Values(TBuffer, MBuffer, RBuffer), testing::Values("exact", "adaptive"), testing::Values(0, 4)), NameOf);
+  testing::Combine(
+    testing::Values(TBuffer, MBuffer, RBuffer), testing::Values("exact", "adaptive"), testing::Values(0, 4)),
+  NameOf);
 
 // Inserted fragments find room in the sections that gathering has to spare, or not.
 INSTANTIATE_TEST_SUITE_P(SectionLengths, TestVolumesInStorage,
@@ -390,8 +387,7 @@ struct Cast
   std::array<double, 3> Position{ { 0.9, 0.7, 2.4 } };
   bool Parallel = false;
   int Samples = 0;
-  std::function<void(vtkGPUVolumeRayCastMapper*, vtkVolume*)> Change =
-    [](vtkGPUVolumeRayCastMapper*, vtkVolume*) {};
+  std::function<void(vtkGPUVolumeRayCastMapper*, vtkVolume*)> Change = [](vtkGPUVolumeRayCastMapper*, vtkVolume*) {};
 };
 
 void PrintTo(const Cast& cast, std::ostream* os)
@@ -416,7 +412,8 @@ protected:
 }
 
 //------------------------------------------------------------------------------
-// Each sample of a ray belongs to one segment: what hardly is there changes nothing but the rounding of colours to half floats.
+// Each sample of a ray belongs to one segment: what hardly is there changes nothing but the rounding of colours to half
+// floats.
 TEST_P(TestRays, AreCastThroughInvisibleSurfacesAsWithout)
 {
   VolumeView view(GetParam().Position, GetParam().Parallel, GetParam().Samples);
@@ -440,10 +437,8 @@ INSTANTIATE_TEST_SUITE_P(Casts, TestRays,
   testing::Values(Cast{ "Perspective" }, Cast{ "FromTheSide", { { 2.2, 0.4, 0.9 } } },
     Cast{ "Parallel", { { 0.9, 0.7, 2.4 } }, true }, Cast{ "FromWithin", { { 0.1, 0.05, 0.4 } } },
     Cast{ "FourSamples", { { 0.9, 0.7, 2.4 } }, false, 4 },
-    Cast{ "Jittered", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto* mapper, auto*) { mapper->SetUseJittering(1); } },
-    Cast{ "Shaded", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto*, auto* volume) { volume->GetProperty()->ShadeOn(); } },
+    Cast{ "Jittered", { { 0.9, 0.7, 2.4 } }, false, 0, [](auto* mapper, auto*) { mapper->SetUseJittering(1); } },
+    Cast{ "Shaded", { { 0.9, 0.7, 2.4 } }, false, 0, [](auto*, auto* volume) { volume->GetProperty()->ShadeOn(); } },
     Cast{ "Isosurfaces", { { 0.9, 0.7, 2.4 } }, false, 0,
       [](auto* mapper, auto* volume)
       {
@@ -499,8 +494,7 @@ TEST_F(TestVolume, StandsInAViewportAsInAWindow)
   pair.Window->AddRenderer(left);
   const double width = Width * 2 + 30;
   const double height = Height + 20;
-  pair.Renderer->SetViewport(
-    (width - Width - 7) / width, 15 / height, (width - 7) / width, (15.0 + Height) / height);
+  pair.Renderer->SetViewport((width - Width - 7) / width, 15 / height, (width - 7) / width, (15.0 + Height) / height);
   SetCamera(pair.Renderer, { { 0.9, 0.7, 2.4 } });
   SetCamera(left, { { 0.9, 0.7, 2.4 } });
   vtkNew<vtkABufferPass> passAlone;
@@ -515,8 +509,7 @@ TEST_F(TestVolume, StandsInAViewportAsInAWindow)
   alone.SetPass(passAlone);
   left->SetPass(passOfLeft);
   pair.SetPass(passOfRight);
-  const PictureDifference difference =
-    Compare(alone.Render(), Crop(pair.Render(), Width + 23, 15, Width, Height));
+  const PictureDifference difference = Compare(alone.Render(), Crop(pair.Render(), Width + 23, 15, Width, Height));
   EXPECT_LE(difference.Largest, 1) << difference;
 }
 
@@ -540,8 +533,7 @@ TEST_F(TestVolume, ThatCantBeDividedIsDrawnOverTheSurfacesWithAWarning)
   const auto reduced = NewRayCaster(0.01);
   reduced->SetImageSampleDistance(2);
   vtkNew<vtkFixedPointVolumeRayCastMapper> onTheCpu;
-  for (vtkVolumeMapper* mapper :
-    { static_cast<vtkVolumeMapper*>(reduced), static_cast<vtkVolumeMapper*>(onTheCpu) })
+  for (vtkVolumeMapper* mapper : { static_cast<vtkVolumeMapper*>(reduced), static_cast<vtkVolumeMapper*>(onTheCpu) })
   {
     VolumeView view;
     view.Renderer->AddViewProp(NewCloud(mapper));
@@ -555,8 +547,8 @@ TEST_F(TestVolume, ThatCantBeDividedIsDrawnOverTheSurfacesWithAWarning)
     EXPECT_LE(Compare(over, view.Render()).Largest, 1);
     const std::vector<std::string> messages = TakeMessages();
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find(std::string("volumes of ") + mapper->GetClassName() +
-                " are drawn over the translucent surfaces"),
+    EXPECT_NE(messages[0].find(
+                std::string("volumes of ") + mapper->GetClassName() + " are drawn over the translucent surfaces"),
       std::string::npos)
       << messages[0];
   }

@@ -31,10 +31,7 @@ public:
     this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
   }
 
-  void ReleaseGraphicsResources(vtkWindow* window) override
-  {
-    this->Pass->ReleaseGraphicsResources(window);
-  }
+  void ReleaseGraphicsResources(vtkWindow* window) override { this->Pass->ReleaseGraphicsResources(window); }
 
   vtkSmartPointer<vtkTranslucencyPass> Pass;
   GLState Before;

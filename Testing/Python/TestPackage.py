@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
-import vtkmodules.vtkRenderingVolumeOpenGL2  # the mapper that draws
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  the mapper that draws
 
 import vtktranslucency
 

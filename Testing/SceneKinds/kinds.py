@@ -607,7 +607,7 @@ def volume_multi_block(stage):
     blocks = vtk.vtkMultiBlockDataSet()
     blocks.SetBlock(0, information.GetOutput())
     mapper = vtk.vtkMultiBlockVolumeMapper()
-    prop = stage.add(volume(mapper))
+    stage.add(volume(mapper))
     mapper.SetInputDataObject(blocks)
     stage.keep.append(source)
     planes(stage)

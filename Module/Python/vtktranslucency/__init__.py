@@ -16,7 +16,8 @@ import re as _re
 from vtkmodules.vtkCommonCore import vtkObject as _vtkObject
 from vtkmodules.vtkRenderingCore import vtkRenderer as _vtkRenderer
 
-from .vtkRenderingTranslucency import *
+from .vtkRenderingTranslucency import *  # noqa: F401, F403
+from .vtkRenderingTranslucency import vtkTranslucencyFactory, vtkTranslucencyPass
 
 
 def enable(renderer, technique="adaptive", **options):

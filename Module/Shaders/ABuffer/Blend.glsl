@@ -1,5 +1,5 @@
-// ABuffer/Blend.glsl: one fragment behind those already blended (Salvi 2011, Eq. 3, turned round: from front to back it is the
-// same sum and gives the total transmittance too).
+// ABuffer/Blend.glsl: one fragment behind those already blended (Salvi 2011, Eq. 3, turned round: from front to back it
+// is the same sum and gives the total transmittance too).
 //
 // Needs: COLOR_FORMAT, TRANSMITTANCE_CHANNELS.  Gives: blendBehind.
 #ifndef Blend_glsl

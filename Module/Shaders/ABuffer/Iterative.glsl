@@ -1,8 +1,8 @@
-// ABuffer/Iterative.glsl: weight each fragment with the transmittance of all in front of it (Salvi 2011, Eq. 2 and 4), found by
-// walking the list again: n^2 steps, no sorting, no memory.
+// ABuffer/Iterative.glsl: weight each fragment with the transmittance of all in front of it (Salvi 2011, Eq. 2 and 4),
+// found by walking the list again: n^2 steps, no sorting, no memory.
 //
-// GROUP fragments are weighted in one walk, which reads the list so much less often. Where a driver ends the loops of a very
-// deep pixel before they are done, the pixel is left to UNFINISHED_LEVEL, which sorts.
+// GROUP fragments are weighted in one walk, which reads the list so much less often. Where a driver ends the loops of a
+// very deep pixel before they are done, the pixel is left to UNFINISHED_LEVEL, which sorts.
 //
 // Needs: UNFINISHED_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
 #ifndef UNFINISHED_LEVEL

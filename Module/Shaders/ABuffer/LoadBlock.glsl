@@ -7,7 +7,8 @@
 #include "Common/SortBlock.glsl"
 #include "Storage/Selected.glsl"
 
-// count is the number of fragments in the block, which carries their coverage along; unread is 0 if they are all that the pixel has.
+// count is the number of fragments in the block, which carries their coverage along; unread is 0 if they are all that
+// the pixel has.
 void loadBlock(ivec2 pixel, out Block block, out uint count, out uint unread)
 {
   emptyBlock(block);

@@ -1,7 +1,7 @@
 // ABuffer/ResolveRuns.glsl: pixels of up to RUNS * 32 fragments.
 //
-// The list becomes sorted runs of 32, whose first fragments are then compared: the nearest of them is blended, and the next of
-// its run takes its place. Longer lists are left to LONGER_LEVEL.
+// The list becomes sorted runs of 32, whose first fragments are then compared: the nearest of them is blended, and the
+// next of its run takes its place. Longer lists are left to LONGER_LEVEL.
 //
 // Needs: LONGER_LEVEL, COLOR_FORMAT, FRAGMENT_ORDER.
 #ifndef LONGER_LEVEL

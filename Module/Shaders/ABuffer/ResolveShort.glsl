@@ -1,7 +1,7 @@
 // ABuffer/ResolveShort.glsl: pixels of up to BLOCK_SIZE fragments, which never leave the registers.
 //
-// Longer lists are left to LONGER_LEVEL, and with EQUAL_DEPTHS 0 those with fragments of equal depth to EQUAL_DEPTHS_LEVEL, which
-// is this shader with EQUAL_DEPTHS 1.
+// Longer lists are left to LONGER_LEVEL, and with EQUAL_DEPTHS 0 those with fragments of equal depth to
+// EQUAL_DEPTHS_LEVEL, which is this shader with EQUAL_DEPTHS 1.
 //
 // Where fragments cover only some samples of a pixel, its list is read and sorted once, and blended once a sample.
 //

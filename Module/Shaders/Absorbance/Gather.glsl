@@ -1,13 +1,15 @@
-// Absorbance/Gather.glsl: visibility from sums, in a fixed amount of memory (Salvi 2011, section 4). The technique's file includes it last.
+// Absorbance/Gather.glsl: visibility from sums, in a fixed amount of memory (Salvi 2011, section 4). The technique's
+// file includes it last.
 //
 // gatherStage
-// - 0, with ABSORBANCE_BOUNDS_FRAGMENTS: outputs[0] is (-depth, depth), of which blending keeps the largest: minus the nearest depth of the pixel,
-//   and the farthest.
+// - 0, with ABSORBANCE_BOUNDS_FRAGMENTS: outputs[0] is (-depth, depth), of which blending keeps the largest: minus the
+//   nearest depth of the pixel, and the farthest.
 // - 1: outputs[i] is what the fragment adds to the terms.
-// - 2: outputs[0] is vis(z) * opacity * colour, with the opacity in alpha, by which blending multiplies the total transmittance; outputs[1] is
-//   vis(z) * opacity.
+// - 2: outputs[0] is vis(z) * opacity * colour, with the opacity in alpha, by which blending multiplies the total
+//   transmittance; outputs[1] is vis(z) * opacity.
 //
-// Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, GATHER_OUTPUTS, TARGET_SAMPLES.  Gives: gatherFragment.
+// Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, GATHER_OUTPUTS,
+// TARGET_SAMPLES.  Gives: gatherFragment.
 #ifndef GATHER_OUTPUTS
 #error "Absorbance/Gather.glsl needs GATHER_OUTPUTS"
 #endif

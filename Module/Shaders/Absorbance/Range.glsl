@@ -3,8 +3,8 @@
 // - ABSORBANCE_BOUNDS_FRAGMENTS: those of the nearest and of the farthest fragment of the pixel, or the sample.
 // - ABSORBANCE_BOUNDS_PROPS: those of the boxes of all translucent props, from rangeNear to rangeFar.
 //
-// Depths are linear (Common/LinearDepth.glsl): terms are spread evenly over them, and in a perspective half of the window's depths
-// lie between the near plane and twice its distance.
+// Depths are linear (Common/LinearDepth.glsl): terms are spread evenly over them, and in a perspective half of the
+// window's depths lie between the near plane and twice its distance.
 //
 // Needs: ABSORBANCE_BOUNDS.  Gives: propsRange, and the values of ABSORBANCE_BOUNDS.
 #ifndef Range_glsl

@@ -1,7 +1,8 @@
-// Absorbance/Resolve.glsl: visibility from sums, from lists of all fragments (Salvi 2011, section 4.1). The technique's file includes it last.
+// Absorbance/Resolve.glsl: visibility from sums, from lists of all fragments (Salvi 2011, section 4.1). The technique's
+// file includes it last.
 //
-// Walks over a pixel's list: for the bounds of its depths, for the terms, and for the fragments weighted by their visibility. Pixels whose
-// loops the driver ends are left to UNFINISHED_LEVEL, which sorts.
+// Walks over a pixel's list: for the bounds of its depths, for the terms, and for the fragments weighted by their
+// visibility. Pixels whose loops the driver ends are left to UNFINISHED_LEVEL, which sorts.
 //
 // Needs: what Absorbance/Weigh.glsl needs, UNFINISHED_LEVEL, COLOR_FORMAT.
 #ifndef UNFINISHED_LEVEL

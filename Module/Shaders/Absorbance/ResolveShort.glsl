@@ -1,5 +1,5 @@
-// Absorbance/ResolveShort.glsl: the same as Resolve.glsl for lists of up to BLOCK_SIZE fragments, which are read once, into registers. Longer
-// ones are left to LONGER_LEVEL. The technique's file includes it last.
+// Absorbance/ResolveShort.glsl: the same as Resolve.glsl for lists of up to BLOCK_SIZE fragments, which are read once,
+// into registers. Longer ones are left to LONGER_LEVEL. The technique's file includes it last.
 //
 // Needs: what Absorbance/Weigh.glsl needs, BLOCK_SIZE, EQUAL_DEPTHS 0, LONGER_LEVEL, COLOR_FORMAT.
 #ifndef LONGER_LEVEL
@@ -26,7 +26,8 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
     surfaces[i] = unpackColor(block.color[i]);
-    block.depth[i] = min(block.depth[i], 1.0); // an empty element is transparent, and lies behind all that can be computed with
+    // An empty element is transparent, and lies behind all that can be computed with.
+    block.depth[i] = min(block.depth[i], 1.0);
   }
   Sums sums;
   clearSums(sums);

@@ -1,10 +1,10 @@
 // Absorbance/Weigh.glsl: what the resolves of lists do with each fragment.
 //
-// A Range grows to the nearest and the farthest depth; the terms take the fragments; and their colours are summed, weighted with vis(z) and opacity.
-// Fragments that don't cover the sample have opacity 0 and change nothing.
+// A Range grows to the nearest and the farthest depth; the terms take the fragments; and their colours are summed,
+// weighted with vis(z) and opacity. Fragments that don't cover the sample have opacity 0 and change nothing.
 //
-// Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives: Sums, clearSums, isThere, bound,
-// absorb, weigh, colorOf, and what Absorbance/Range.glsl gives.
+// Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives:
+// Sums, clearSums, isThere, bound, absorb, weigh, colorOf, and what Absorbance/Range.glsl gives.
 #ifndef Weigh_glsl
 #define Weigh_glsl
 #include "Absorbance/Range.glsl"

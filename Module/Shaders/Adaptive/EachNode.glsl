@@ -1,10 +1,11 @@
 // EachNode.glsl: loops over the nodes of a visibility function, unrolled by the preprocessor.
 //
-// Only where all indices are constants do the nodes stay in registers (a CPU's SIMD lanes). Compilers unroll short loops of few instructions
-// (Mesa 32 rounds, about 800 instructions, and not always where other code stands around them); one that is not unrolled takes ten times as
-// long, in silence.
+// Only where all indices are constants do the nodes stay in registers (a CPU's SIMD lanes). Compilers unroll short
+// loops of few instructions (Mesa 32 rounds, about 800 instructions, and not always where other code stands around
+// them); one that is not unrolled takes ten times as long, in silence.
 //
-// EACH_NODE(call) is call(0) call(1) ... call(NODE_COUNT - 1), and EACH_NODE_BACKWARDS(call) the same from the last to the first.
+// EACH_NODE(call) is call(0) call(1) ... call(NODE_COUNT - 1), and EACH_NODE_BACKWARDS(call) the same from the last to
+// the first.
 //
 // Needs: NODE_COUNT (1 to 64).  Gives: EACH_NODE, EACH_NODE_BACKWARDS.
 #ifndef EachNode_glsl

@@ -1,18 +1,20 @@
-// Adaptive/Gather.glsl: adaptive transparency in fixed memory (Salvi 2011, section 4): the visibility function of a pixel lies in its record,
-// NODE_COUNT nodes of a depth and a transmittance (Record.glsl).
+// Adaptive/Gather.glsl: adaptive transparency in fixed memory (Salvi 2011, section 4): the visibility function of a
+// pixel lies in its record, NODE_COUNT nodes of a depth and a transmittance (Record.glsl).
 //
-// Stage 0 inserts each fragment into it. Stage 1 draws the geometry again and weights each fragment with what the function lets through
-// before it (Eq. 2); blending adds that up and multiplies the total transmittance, with three channels in the alphas of three targets, whose colours
-// are what Common/AlphaCorrection.glsl takes. Weights are added where nodes were removed only: elsewhere nothing is to be corrected. Where records lie
-// in colours, they hold the sums, too.
+// Stage 0 inserts each fragment into it. Stage 1 draws the geometry again and weights each fragment with what the
+// function lets through before it (Eq. 2); blending adds that up and multiplies the total transmittance, with three
+// channels in the alphas of three targets, whose colours are what Common/AlphaCorrection.glsl takes. Weights are added
+// where nodes were removed only: elsewhere nothing is to be corrected. Where records lie in colours, they hold the
+// sums, too.
 //
-// Coincident fragments each have a node of their depth; the one drawn first has the last of them, and is hidden by the others. When it has
-// been weighted its node moves just behind that depth, so that the next fragment finds its own. That takes the same order in both stages, and
-// the record is written only where several nodes have the depth.
+// Coincident fragments each have a node of their depth; the one drawn first has the last of them, and is hidden by the
+// others. When it has been weighted its node moves just behind that depth, so that the next fragment finds its own.
+// That takes the same order in both stages, and the record is written only where several nodes have the depth.
 //
 // In a multi-sampled window the shader runs once for each sample, whose function it changes.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, ALPHA_CORRECTION, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: gatherFragment, GATHER_OUTPUTS.
+// Needs: NODE_COUNT, NODE_REMOVAL, ESTIMATE_ERROR, ALPHA_CORRECTION, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives:
+// gatherFragment, GATHER_OUTPUTS.
 #ifndef ALPHA_CORRECTION
 #error "Adaptive/Gather.glsl needs ALPHA_CORRECTION"
 #endif
@@ -113,7 +115,8 @@ Channels transmittanceBehind(PixelRecord record, int node)
 void moveNode(PixelRecord record, int node, float depth)
 {
 #if RECORD_TARGETS
-#define MOVE_NODE(k) setRecordFloat(record, RECORD_DEPTH + (k), node == (k) ? depth : recordFloat(record, RECORD_DEPTH + (k)));
+#define MOVE_NODE(k) \
+  setRecordFloat(record, RECORD_DEPTH + (k), node == (k) ? depth : recordFloat(record, RECORD_DEPTH + (k)));
   EACH_NODE(MOVE_NODE)
 #else
   setRecordFloat(record, RECORD_DEPTH + node, depth);

@@ -1,14 +1,16 @@
-// Adaptive/Record.glsl: what a pixel's record holds in fixed memory. Its count is that of its fragments, up to NODE_COUNT + 1: then
-// nodes were removed.
+// Adaptive/Record.glsl: what a pixel's record holds in fixed memory. Its count is that of its fragments, up to
+// NODE_COUNT + 1: then nodes were removed.
 //
-// First the depths of the nodes, then their transmittances: in 16 bits each, two a word, since a word more takes more time than packing; with
-// three channels (Common/Channels.glsl) in floats. With ESTIMATE_ERROR 1 there follows what the estimate is made of.
+// First the depths of the nodes, then their transmittances: in 16 bits each, two a word, since a word more takes more
+// time than packing; with three channels (Common/Channels.glsl) in floats. With ESTIMATE_ERROR 1 there follows what the
+// estimate is made of.
 //
-// In colours (RECORD_TARGETS, one channel and no estimate) the count lies before them, and behind them the sums over the pixel's weighted fragments,
-// which blending adds up elsewhere.
+// In colours (RECORD_TARGETS, one channel and no estimate) the count lies before them, and behind them the sums over
+// the pixel's weighted fragments, which blending adds up elsewhere.
 //
-// Needs: NODE_COUNT, ESTIMATE_ERROR, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Common/RecordNumbers.glsl, fragmentCount, setFragmentCount,
-// nodeTransmittance, LOAD_TRANSMITTANCE(k), STORE_TRANSMITTANCE(k), RECORD_DEPTH, RECORD_LOST, RECORD_NEAREST, RECORD_FARTHEST, RECORD_SUMS.
+// Needs: NODE_COUNT, ESTIMATE_ERROR, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Common/RecordNumbers.glsl, fragmentCount,
+// setFragmentCount, nodeTransmittance, LOAD_TRANSMITTANCE(k), STORE_TRANSMITTANCE(k), RECORD_DEPTH, RECORD_LOST,
+// RECORD_NEAREST, RECORD_FARTHEST, RECORD_SUMS.
 #ifndef Record_glsl
 #define Record_glsl
 #ifndef NODE_COUNT
@@ -55,7 +57,8 @@ void setFragmentCount(PixelRecord record, uint count)
 #define setFragmentCount setRecordCount
 #endif
 
-// The macros are for EACH_NODE: k is a constant, last the transmittance of the node before, values are of nodes below count.
+// The macros are for EACH_NODE: k is a constant, last the transmittance of the node before, values are of nodes below
+// count.
 #if TRANSMITTANCE_CHANNELS == 3
 Channels nodeTransmittance(PixelRecord record, int node)
 {
@@ -104,7 +107,8 @@ Channels nodeTransmittance(PixelRecord record, int node)
 #define STORE_TRANSMITTANCE(k) \
   if ((k) % 2 == 0 && uint(k) < count) \
   { \
-    setRecordWord(record, RECORD_TRANSMITTANCE + (k) / 2, packUnorm2x16(vec2(visibility.t[k], visibility.t[(k) + 1]))); \
+    setRecordWord(record, RECORD_TRANSMITTANCE + (k) / 2, \
+      packUnorm2x16(vec2(visibility.t[k], visibility.t[(k) + 1]))); \
   }
 #endif
 

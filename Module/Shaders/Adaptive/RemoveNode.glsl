@@ -1,24 +1,27 @@
 // RemoveNode.glsl: makes room in a full visibility function (Salvi 2011, section 3.2).
 //
-// Dropping node j loses the area of a rectangle under the step function (Eq. 7): its height is the step t[j-1] - t[j], its
-// width the distance over which the step moves.
-// - NODE_REMOVAL_UNDERESTIMATE moves the step to the nearer neighbour, z[j] - z[j-1] away, whose transmittance becomes t[j].
-//   The last node may go, and the total transmittance stays exact. The first may not: before it lies the implicit node,
-//   whose transmittance is 1.
-// - NODE_REMOVAL_OVERESTIMATE moves it to the farther neighbour, z[j+1] - z[j] away. The first node may go. The last may not:
-//   behind it lies infinity.
+// Dropping node j loses the area of a rectangle under the step function (Eq. 7): its height is the step t[j-1] - t[j],
+// its width the distance over which the step moves.
+// - NODE_REMOVAL_UNDERESTIMATE moves the step to the nearer neighbour, z[j] - z[j-1] away, whose transmittance becomes
+//   t[j]. The last node may go, and the total transmittance stays exact. The first may not: before it lies the implicit
+//   node, whose transmittance is 1.
+// - NODE_REMOVAL_OVERESTIMATE moves it to the farther neighbour, z[j+1] - z[j] away. The first node may go. The last
+//   may not: behind it lies infinity.
 // - NODE_REMOVAL_MIXED takes the cheaper of the two, node by node.
 //
-// With three channels (Common/Channels.glsl) nodes have three transmittances and common depths; the area is the mean of the three.
+// With three channels (Common/Channels.glsl) nodes have three transmittances and common depths; the area is the mean of
+// the three.
 //
-// The paper removes the node whose area is least. An area is what vis is off by where fragments could lie, at any depth alike. But fragments
-// lie at nodes, and one whose node goes is seen through the wrong transmittance however thin the rectangle is: of many nearly coincident ones,
-// areas remove all nodes but one, whatever these hide. So with ALPHA_CORRECTION 1 every rectangle counts as wider than it is, by 1/256 of the
-// distance from the first node to the last (Documentation/Adaptive.md). A power of two: products of such widths stay exact.
+// The paper removes the node whose area is least. An area is what vis is off by where fragments could lie, at any depth
+// alike. But fragments lie at nodes, and one whose node goes is seen through the wrong transmittance however thin the
+// rectangle is: of many nearly coincident ones, areas remove all nodes but one, whatever these hide. So with
+// ALPHA_CORRECTION 1 every rectangle counts as wider than it is, by 1/256 of the distance from the first node to the
+// last (Documentation/Adaptive.md). A power of two: products of such widths stay exact.
 //
 // ESTIMATE_ERROR 1: the areas that were lost are summed.
 //
-// REMOVAL_LOSS(step, width) and REMOVAL_WIDER: other losses, and other parts of that distance (scripts/document-adaptive has tried some).
+// REMOVAL_LOSS(step, width) and REMOVAL_WIDER: other losses, and other parts of that distance
+// (scripts/document-adaptive has tried some).
 //
 // Needs: NODE_COUNT, NODE_REMOVAL, ALPHA_CORRECTION, TRANSMITTANCE_CHANNELS.  Gives: Visibility, removeNode.
 #ifndef RemoveNode_glsl

@@ -1,22 +1,22 @@
 // Adaptive/Resolve.glsl: the colour of a pixel by its compressed visibility function (Salvi 2011, section 4.1).
 //
-// Two walks over the pixel's list: build vis(z), then sum the fragments weighted by it (Eq. 2). The total transmittance is
-// that of all fragments: no rule of removal changes it. Where nodes were removed the sum is corrected (Weigh.glsl,
+// Two walks over the pixel's list: build vis(z), then sum the fragments weighted by it (Eq. 2). The total transmittance
+// is that of all fragments: no rule of removal changes it. Where nodes were removed the sum is corrected (Weigh.glsl,
 // Common/AlphaCorrection.glsl); elsewhere it is exact, but for rounding, and stays as it is.
 //
-// Fragments of equal depth are composited one behind the other, which takes more steps for every fragment. EQUAL_DEPTHS 0 does
-// without and leaves pixels that have such fragments to EQUAL_DEPTHS_LEVEL, which is this shader with EQUAL_DEPTHS 1. Pixels whose
-// loops the driver ends are left to UNFINISHED_LEVEL, which sorts.
+// Fragments of equal depth are composited one behind the other, which takes more steps for every fragment. EQUAL_DEPTHS
+// 0 does without and leaves pixels that have such fragments to EQUAL_DEPTHS_LEVEL, which is this shader with
+// EQUAL_DEPTHS 1. Pixels whose loops the driver ends are left to UNFINISHED_LEVEL, which sorts.
 //
 // TOLERANCE 1: pixels with a larger estimate of their error than errorTolerance are left to FINER_LEVEL.
 //
-// Where samples of a pixel differ, both are decided for each of them: two triangles that meet in the pixel are often of one depth there, but
-// seldom cover the same sample.
+// Where samples of a pixel differ, both are decided for each of them: two triangles that meet in the pixel are often of
+// one depth there, but seldom cover the same sample.
 //
 // SHOW other than SHOW_PICTURE: the second walk gives way to Adaptive/Show.glsl.
 //
-// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, TOLERANCE, FINER_LEVEL, SHOW, ALPHA_CORRECTION,
-// COLOR_FORMAT, TRANSMITTANCE_CHANNELS.
+// Needs: NODE_COUNT, NODE_REMOVAL, EQUAL_DEPTHS, EQUAL_DEPTHS_LEVEL, UNFINISHED_LEVEL, TOLERANCE, FINER_LEVEL, SHOW,
+// ALPHA_CORRECTION, COLOR_FORMAT, TRANSMITTANCE_CHANNELS.
 #ifndef EQUAL_DEPTHS
 #error "Adaptive/Resolve.glsl needs EQUAL_DEPTHS"
 #endif
@@ -93,7 +93,8 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
   {
     float depth = nodeDepth(fragment);
     Surface surface = unpackColor(fragment.color);
-    addWeighted(sums, surface.color, surface.opacity, visibilityAt(visibility, depth, surface.opacity, count > NODE_COUNT));
+    addWeighted(sums, surface.color, surface.opacity,
+      visibilityAt(visibility, depth, surface.opacity, count > NODE_COUNT));
 #if EQUAL_DEPTHS
     passNode(visibility, depth);
 #endif

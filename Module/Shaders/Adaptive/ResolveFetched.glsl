@@ -1,4 +1,5 @@
-// Adaptive/ResolveFetched.glsl: the colour of a pixel by the sums in its record (Record.glsl), where records lie in colours.
+// Adaptive/ResolveFetched.glsl: the colour of a pixel by the sums in its record (Record.glsl), where records lie in
+// colours.
 //
 // Needs: NODE_COUNT, ESTIMATE_ERROR, ALPHA_CORRECTION, SAMPLES, TRANSMITTANCE_CHANNELS.
 #define RECORDS_READ_ONLY 1

@@ -1,4 +1,5 @@
-// Adaptive/Show.glsl: what is drawn in place of the translucent colours: how well a pixel is drawn, or what that took. Grey, and opaque.
+// Adaptive/Show.glsl: what is drawn in place of the translucent colours: how well a pixel is drawn, or what that took.
+// Grey, and opaque.
 //
 // Needs: SHOW, NODE_COUNT, TRANSMITTANCE_CHANNELS.  Gives: showPixel.
 #ifndef Show_glsl

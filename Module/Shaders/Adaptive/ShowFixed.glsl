@@ -12,7 +12,8 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
   int count = min(int(recordCount(record)), NODE_COUNT);
   float error = 0.0;
 #if ESTIMATE_ERROR
-  error = estimateError(recordFloat(record, RECORD_LOST), recordFloat(record, RECORD_NEAREST), recordFloat(record, RECORD_FARTHEST));
+  error = estimateError(recordFloat(record, RECORD_LOST),
+    recordFloat(record, RECORD_NEAREST), recordFloat(record, RECORD_FARTHEST));
 #endif
   showPixel(error, count, color, transmittance);
   return count > 0;

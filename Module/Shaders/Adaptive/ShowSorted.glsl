@@ -1,4 +1,5 @@
-// Adaptive/ShowSorted.glsl: a pixel that is drawn exactly, by sorting its fragments: no error, and as many nodes as there can be.
+// Adaptive/ShowSorted.glsl: a pixel that is drawn exactly, by sorting its fragments: no error, and as many nodes as
+// there can be.
 //
 // Needs: SHOW, COLOR_FORMAT.
 #define FRAGMENTS_READ_ONLY 1

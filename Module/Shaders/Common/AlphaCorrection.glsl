@@ -1,11 +1,12 @@
 // AlphaCorrection.glsl: sums over a pixel's fragments whose weights add up to what is hidden.
 //
-// With exact visibilities, the weights vis(z) * opacity of a pixel's fragments add up to 1 - total transmittance. ALPHA_CORRECTION 1 scales the colour
-// so that those of approximate ones do, too (the alpha correction of Enderton et al. 2010, section 3.3). Where nothing is hidden nothing is scaled.
+// With exact visibilities, the weights vis(z) * opacity of a pixel's fragments add up to 1 - total transmittance.
+// ALPHA_CORRECTION 1 scales the colour so that those of approximate ones do, too (the alpha correction of Enderton et
+// al. 2010, section 3.3). Where nothing is hidden nothing is scaled.
 //
-// With three channels a fragment may add light without hiding anything, and then has no part in the weights by which light is scaled: of a few
-// surfaces close behind it, each of which seems to hide the others, they may be so small that it would dazzle. So no channel gets more light
-// than all fragments give together.
+// With three channels a fragment may add light without hiding anything, and then has no part in the weights by which
+// light is scaled: of a few surfaces close behind it, each of which seems to hide the others, they may be so small that
+// it would dazzle. So no channel gets more light than all fragments give together.
 //
 // Valid C++, too.
 //
@@ -54,7 +55,8 @@ float correctionOf(float weights, float transmittance)
 #if TRANSMITTANCE_CHANNELS == 3
 vec3 correctionOf(vec3 weights, vec3 transmittance)
 {
-  return vec3(correctionOf(weights.r, transmittance.r), correctionOf(weights.g, transmittance.g), correctionOf(weights.b, transmittance.b));
+  return vec3(correctionOf(weights.r, transmittance.r),
+    correctionOf(weights.g, transmittance.g), correctionOf(weights.b, transmittance.b));
 }
 #endif
 

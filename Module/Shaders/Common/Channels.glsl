@@ -1,12 +1,15 @@
-// Channels.glsl: opacities and transmittances as they are told apart: one for all colours, or one for each of red, green and blue.
+// Channels.glsl: opacities and transmittances as they are told apart: one for all colours, or one for each of red,
+// green and blue.
 //
-// A surface of opacity a and transmission colour t hides a * (1 - t) of what lies behind it and lets through the rest: a is how much of the
-// pixel the surface covers, and t what the surface itself lets through (the coverage and transmission of McGuire and Mara 2017, "Phenomenological
-// transparency"). Where no prop has a transmission colour, or the technique keeps one number, there is one channel, and nothing costs more.
+// A surface of opacity a and transmission colour t hides a * (1 - t) of what lies behind it and lets through the rest:
+// a is how much of the pixel the surface covers, and t what the surface itself lets through (the coverage and
+// transmission of McGuire and Mara 2017, "Phenomenological transparency"). Where no prop has a transmission colour, or
+// the technique keeps one number, there is one channel, and nothing costs more.
 //
 // Valid C++, too.
 //
-// Needs: TRANSMITTANCE_CHANNELS (1 or 3), COLOR_FORMAT where fragments are packed.  Gives: Channels, a float or a vec3, meanOf, PackedColor, COLOR_FORMAT_HALF_FLOAT, COLOR_FORMAT_RGBA8.
+// Needs: TRANSMITTANCE_CHANNELS (1 or 3), COLOR_FORMAT where fragments are packed.  Gives: Channels, a float or a vec3,
+// meanOf, PackedColor, COLOR_FORMAT_HALF_FLOAT, COLOR_FORMAT_RGBA8.
 #ifndef Channels_glsl
 #define Channels_glsl
 #ifndef TRANSMITTANCE_CHANNELS

@@ -1,8 +1,10 @@
-// Composite.glsl: the main function of the last stage of techniques without lists; the technique's file includes it last.
+// Composite.glsl: the main function of the last stage of techniques without lists; the technique's file includes it
+// last.
 //
 // It runs once a pixel, or a sample where the window has several.
 //
-// Needs: resolvePixel(pixel, color, transmittance), false where nothing is to be drawn; TRANSMITTANCE_CHANNELS.  Gives: main.
+// Needs: resolvePixel(pixel, color, transmittance), false where nothing is to be drawn; TRANSMITTANCE_CHANNELS.  Gives:
+// main.
 #include "Common/Output.glsl"
 #include "Common/Tile.glsl"
 

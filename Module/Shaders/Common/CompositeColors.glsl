@@ -1,4 +1,5 @@
-// CompositeColors.glsl: the weighted colours and the total transmittance that blending has added up and multiplied, over the opaque picture.
+// CompositeColors.glsl: the weighted colours and the total transmittance that blending has added up and multiplied,
+// over the opaque picture.
 //
 // Needs: ALPHA_CORRECTION, TARGET_SAMPLES, TRANSMITTANCE_CHANNELS.
 #include "Common/AlphaCorrection.glsl"

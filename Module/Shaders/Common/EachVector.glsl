@@ -1,7 +1,8 @@
 // EachVector.glsl: EACH_VECTOR(call) is call(0) call(1) ..., one for each of VECTOR_COUNT vectors.
 //
-// Not a loop: compilers leave some loops over vectors as loops in the mappers' long shaders, and an array whose index is not a constant does
-// not stay in registers: each lane of a CPU's vector is then written by itself. That took two to five times as long.
+// Not a loop: compilers leave some loops over vectors as loops in the mappers' long shaders, and an array whose index
+// is not a constant does not stay in registers: each lane of a CPU's vector is then written by itself. That took two to
+// five times as long.
 //
 // Needs: VECTOR_COUNT (1 to 8).  Gives: EACH_VECTOR.
 #ifndef EachVector_glsl

@@ -7,7 +7,8 @@
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 
-// All count fragments of the pixel have been composited, which is of no use if its samples differ: then they are resolved one by one.
+// All count fragments of the pixel have been composited, which is of no use if its samples differ: then they are
+// resolved one by one.
 void finishPixel(ivec2 pixel, uint count)
 {
   recordFragments(count);

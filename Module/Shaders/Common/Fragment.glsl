@@ -1,13 +1,14 @@
 // Fragment.glsl: one translucent fragment, as the mappers shade it, the storage keeps it and the techniques read it.
 //
-// depth is the window depth, 0 at the near plane and 1 at the far plane. Half floats keep opacities far below 1/255 and colours above 1; bytes
-// take half the room:
+// depth is the window depth, 0 at the near plane and 1 at the far plane. Half floats keep opacities far below 1/255 and
+// colours above 1; bytes take half the room:
 // - one channel, half floats or bytes: the colour, not multiplied by the opacity, and the opacity;
 // - three channels, half floats: the colour, multiplied by the opacity, and the three opacities (Channels.glsl);
-// - three channels, bytes: the colour, not multiplied by the opacity, the opacity, and the three opacities; the third word is 0.
+// - three channels, bytes: the colour, not multiplied by the opacity, the opacity, and the three opacities; the third
+//   word is 0.
 //
-// Needs: COLOR_FORMAT (COLOR_FORMAT_HALF_FLOAT or COLOR_FORMAT_RGBA8), TRANSMITTANCE_CHANNELS.  Gives: Fragment, EMPTY_FRAGMENT, Surface,
-// packColor, unpackColor.
+// Needs: COLOR_FORMAT (COLOR_FORMAT_HALF_FLOAT or COLOR_FORMAT_RGBA8), TRANSMITTANCE_CHANNELS.  Gives: Fragment,
+// EMPTY_FRAGMENT, Surface, packColor, unpackColor.
 #ifndef Fragment_glsl
 #define Fragment_glsl
 #include "Common/Channels.glsl"

@@ -1,7 +1,7 @@
 // Gather.glsl: what the mappers' shaders call for each translucent fragment.
 //
-// It stands where VTK has its depth peeling declarations; the call stands where VTK has shaded the fragment and discarded it
-// if its opacity is 0.
+// It stands where VTK has its depth peeling declarations; the call stands where VTK has shaded the fragment and
+// discarded it if its opacity is 0.
 //
 // Needs: what the storage needs.  Gives: gatherFragment.
 #ifndef Gather_glsl

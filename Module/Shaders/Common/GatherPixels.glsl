@@ -1,5 +1,5 @@
-// GatherPixels.glsl: gives each fragment to the records of the samples that it covers, one fragment of a pixel at a time. The technique's file
-// includes it last.
+// GatherPixels.glsl: gives each fragment to the records of the samples that it covers, one fragment of a pixel at a
+// time. The technique's file includes it last.
 //
 // Needs: updatePixel(record, color, depth).  Gives: gatherFragment.
 #include "Common/Coverage.glsl"

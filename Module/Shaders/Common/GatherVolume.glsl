@@ -1,12 +1,12 @@
-// GatherVolume.glsl: what VTK's ray caster calls: a ray is cast from fragment to fragment of its pixel, and what each segment gathers is
-// stored as a fragment between the two.
+// GatherVolume.glsl: what VTK's ray caster calls: a ray is cast from fragment to fragment of its pixel, and what each
+// segment gathers is stored as a fragment between the two.
 //
-// The pixel's list is in front-to-back order and stays so: a segment is put behind the fragment at which it begins. The rays of one volume
-// meet in no pixel; between volumes the application waits. The ray's samples lie where they lie without surfaces, and each
-// belongs to one segment: surfaces of opacity 0 would not change the picture.
+// The pixel's list is in front-to-back order and stays so: a segment is put behind the fragment at which it begins. The
+// rays of one volume meet in no pixel; between volumes the application waits. The ray's samples lie where they lie
+// without surfaces, and each belongs to one segment: surfaces of opacity 0 would not change the picture.
 //
-// Needs: what the storage needs; RAY_FINDS_VALUES (1: isosurfaces, found between a sample and the one before it), RAY_MEETS_PLANE (1: the ray
-// has one sample, on a plane); the ray caster's declarations.
+// Needs: what the storage needs; RAY_FINDS_VALUES (1: isosurfaces, found between a sample and the one before it),
+// RAY_MEETS_PLANE (1: the ray has one sample, on a plane); the ray caster's declarations.
 // Gives: startSegments, nextSegment(front, back), START_RAY(front, back), storeSegment(color).
 #ifndef GatherVolume_glsl
 #define GatherVolume_glsl
@@ -56,8 +56,8 @@ bool nextSegment(out float front, out float back)
   return found;
 }
 
-// Where the ray caster takes the first sample and the last one, or the only one, and how far two lie apart. It has them in globals, which it sets in
-// functions of its own, further down: who reads them up here draws a compiler's warning.
+// Where the ray caster takes the first sample and the last one, or the only one, and how far two lie apart. It has them
+// in globals, which it sets in functions of its own, further down: who reads them up here draws a compiler's warning.
 struct SampledRay
 {
   vec3 first;
@@ -80,7 +80,8 @@ float samplesTo(SampledRay ray, vec3 position)
 // The same of a window depth.
 float samplesBefore(SampledRay ray, float depth)
 {
-  vec4 point = ip_inverseTextureDataAdjusted * in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix * in_inverseProjectionMatrix *
+  vec4 point = ip_inverseTextureDataAdjusted * in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix *
+    in_inverseProjectionMatrix *
     WindowToNDC(gl_FragCoord.x, gl_FragCoord.y, depth);
   return samplesTo(ray, point.xyz / point.w);
 }

@@ -1,14 +1,15 @@
 // HalfFloat.glsl: packHalf2x16 and its inverse for numbers that are never negative, in a third of the steps.
 //
-// Drivers without an instruction for it (llvmpipe) write packHalf2x16 out for every sign, infinity and NaN, some 25 steps a number;
-// of a scene that costs nothing to shade, that was a tenth of the frame's time. On a GPU these eight steps are no loss: a gather waits
-// for memory.
+// Drivers without an instruction for it (llvmpipe) write packHalf2x16 out for every sign, infinity and NaN, some 25
+// steps a number; of a scene that costs nothing to shade, that was a tenth of the frame's time. On a GPU these eight
+// steps are no loss: a gather waits for memory.
 //
-// Numbers that a half float can't hold, above HALF_LARGEST, become that; negative ones and NaN become 0. Below HALF_SMALLEST_NORMAL
-// halves are multiples of 2^-24, as they should: adding that number to one of them shifts its bits to where they belong.
+// Numbers that a half float can't hold, above HALF_LARGEST, become that; negative ones and NaN become 0. Below
+// HALF_SMALLEST_NORMAL halves are multiples of 2^-24, as they should: adding that number to one of them shifts its bits
+// to where they belong.
 //
-// Needs: nothing.  Gives: floatToHalf (to the nearest; halfway between two, the larger), halfToFloat (exact), and for four of
-// them in two words: packHalves, unpackHalves.
+// Needs: nothing.  Gives: floatToHalf (to the nearest; halfway between two, the larger), halfToFloat (exact), and for
+// four of them in two words: packHalves, unpackHalves.
 #ifndef HalfFloat_glsl
 #define HalfFloat_glsl
 

@@ -1,7 +1,8 @@
-// HandOver.glsl: gives the fragments of one layer, drawn by shaders of others (vtkTranslucencyLayers), to what stands in mappers' shaders.
+// HandOver.glsl: gives the fragments of one layer, drawn by shaders of others (vtkTranslucencyLayers), to what stands
+// in mappers' shaders.
 //
-// It has the marks that VTK's mappers have in their shaders, and the same text goes there. Where the window is multi-sampled it runs once for
-// each sample.
+// It has the marks that VTK's mappers have in their shaders, and the same text goes there. Where the window is
+// multi-sampled it runs once for each sample.
 //
 // Needs: HAND_OVER_SAMPLES, of a pixel of the layer.  Gives: main.
 #ifndef HAND_OVER_SAMPLES

@@ -1,4 +1,5 @@
-// LinearDepth.glsl: where a fragment lies between the clipping planes, in units of their distance: 0 at the near one, 1 at the far one.
+// LinearDepth.glsl: where a fragment lies between the clipping planes, in units of their distance: 0 at the near one, 1
+// at the far one.
 //
 // Needs: nothing.  Gives: linearDepth.
 #ifndef LinearDepth_glsl

@@ -1,8 +1,9 @@
-// MeanColor.glsl: the mean of colours, weighted by their opacities, as opaque as all of them together:
-//     (1 - transmittance) * sum of opacity * colour / sum of opacities
+// MeanColor.glsl: the mean of colours, weighted by their opacities, as opaque as all of them together: (1 -
+// transmittance) * sum of opacity * colour / sum of opacities
 //
-// Where surfaces transmit colours they may add light to a channel and hide nothing of it. With the sum of opacities, (1 - transmittance) / sum
-// tends to 1: below SMALL_OPACITIES that is taken, off by less than half of that, since the difference of 1 and a transmittance is rounded.
+// Where surfaces transmit colours they may add light to a channel and hide nothing of it. With the sum of opacities, (1
+// - transmittance) / sum tends to 1: below SMALL_OPACITIES that is taken, off by less than half of that, since the
+// difference of 1 and a transmittance is rounded.
 //
 // Needs: TRANSMITTANCE_CHANNELS.  Gives: meanColor.
 #ifndef MeanColor_glsl
@@ -15,7 +16,8 @@
 vec3 meanColor(vec3 sum, Channels opacities, Channels transmittance)
 {
 #if TRANSMITTANCE_CHANNELS == 3
-  return mix((1.0 - transmittance) * sum / max(opacities, SMALL_OPACITIES), sum, lessThan(opacities, vec3(SMALL_OPACITIES)));
+  return mix((1.0 - transmittance) * sum / max(opacities, SMALL_OPACITIES), sum,
+    lessThan(opacities, vec3(SMALL_OPACITIES)));
 #else
   return (1.0 - transmittance) * sum / max(opacities, 1e-30);
 #endif

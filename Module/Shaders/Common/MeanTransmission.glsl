@@ -1,7 +1,7 @@
 // MeanTransmission.glsl: the transmission colour of a prop, for techniques that keep one transmittance.
 //
-// The fragment hides what it hides on average of red, green and blue, and adds the light that it adds. The opacity stays above 0, where an
-// emitting fragment could not be told from none: 1/1024 of the opacity is hidden at least.
+// The fragment hides what it hides on average of red, green and blue, and adds the light that it adds. The opacity
+// stays above 0, where an emitting fragment could not be told from none: 1/1024 of the opacity is hidden at least.
 //
 // Gives: meanTransmission.
 #ifndef MeanTransmission_glsl

@@ -1,16 +1,18 @@
 // MergeSamples.glsl: one node for the fragments of neighbouring triangles that share a pixel of a multi-sampled window.
 //
-// Inside a surface, each triangle that touches a pixel has a fragment of its own there, for some of the samples: where triangles are as
-// small as pixels that is nearly three times the fragments of one sample a pixel, and no pixel in which all samples agree. A fragment
-// joins the one that was stored before it in its pixel if they cover different samples, have the same opacity and much the same colour, and
-// are as near each other as the depth of one fragment reaches within a pixel. The colour becomes the mean over the samples.
+// Inside a surface, each triangle that touches a pixel has a fragment of its own there, for some of the samples: where
+// triangles are as small as pixels that is nearly three times the fragments of one sample a pixel, and no pixel in
+// which all samples agree. A fragment joins the one that was stored before it in its pixel if they cover different
+// samples, have the same opacity and much the same colour, and are as near each other as the depth of one fragment
+// reaches within a pixel. The colour becomes the mean over the samples.
 //
-// Each sample still has one fragment of that opacity at that place. The mean over the pixel's samples stays what it was, except where
-// another edge goes through the pixel: there it is off by at most a quarter of the tolerance, 1/128.
+// Each sample still has one fragment of that opacity at that place. The mean over the pixel's samples stays what it
+// was, except where another edge goes through the pixel: there it is off by at most a quarter of the tolerance, 1/128.
 //
 // Reading what other fragments of the pixel have stored takes a driver that shades them one after the other.
 //
-// Needs: SAMPLES, COLOR_FORMAT, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: MERGES_SAMPLES, and if that is 1: mayMerge, mergeFragments.
+// Needs: SAMPLES, COLOR_FORMAT, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: MERGES_SAMPLES, and if that is 1:
+// mayMerge, mergeFragments.
 #ifndef MergeSamples_glsl
 #define MergeSamples_glsl
 #include "Common/Fragment.glsl"
@@ -19,8 +21,8 @@
 #if SAMPLES > 1 && FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN
 #define MERGES_SAMPLES 1
 
-// A channel is compared and averaged as it is packed. The bits of half floats are in the order of their values and nearly linear in
-// between. MERGE_TOLERANCE is in units of the last bit.
+// A channel is compared and averaged as it is packed. The bits of half floats are in the order of their values and
+// nearly linear in between. MERGE_TOLERANCE is in units of the last bit.
 #if COLOR_FORMAT == COLOR_FORMAT_RGBA8
 #define OPACITY_BITS uvec3(0xff000000u, 0xffffffffu, 0xffffffffu)
 #define CHANNELS_OF(words) ivec3((words).x & 0xffu, ((words).x >> 8u) & 0xffu, ((words).x >> 16u) & 0xffu)
@@ -28,7 +30,8 @@
 #else
 #define OPACITY_BITS uvec3(0u, 0xffff0000u, 0xffffffffu)
 #define CHANNELS_OF(words) ivec3((words).x & 0xffffu, (words).x >> 16u, (words).y & 0xffffu)
-// 1/32 has 64 of those units at 0.5, where the exponent is 14, and twice as many for each exponent below, but not more than an exponent.
+// 1/32 has 64 of those units at 0.5, where the exponent is 14, and twice as many for each exponent below, but not more
+// than an exponent.
 #define MERGE_TOLERANCE(larger) (ivec3(1024) >> clamp((larger >> 10) - 10, ivec3(0), ivec3(10)))
 #endif
 

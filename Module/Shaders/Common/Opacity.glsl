@@ -1,4 +1,5 @@
-// Opacity.glsl: what a fragment hides, from the colour that a mapper has shaded and the prop's transmission colour (Channels.glsl).
+// Opacity.glsl: what a fragment hides, from the colour that a mapper has shaded and the prop's transmission colour
+// (Channels.glsl).
 //
 // Needs: TRANSMITTANCE_CHANNELS.  Gives: opacityOf.
 #ifndef Opacity_glsl

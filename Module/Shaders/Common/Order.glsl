@@ -1,8 +1,8 @@
 // Order.glsl: which of two fragments is in front.
 //
 // The nearer one. Of two at the same depth, the one drawn later, as blending in drawing order would have it, where the
-// driver keeps that order; elsewhere the order in which fragments arrive changes from run to run, and their contents decide:
-// equal contents may be exchanged without a difference.
+// driver keeps that order; elsewhere the order in which fragments arrive changes from run to run, and their contents
+// decide: equal contents may be exchanged without a difference.
 //
 // Needs: FRAGMENT_ORDER (FRAGMENT_ORDER_DRAWN or FRAGMENT_ORDER_CONTENT), TRANSMITTANCE_CHANNELS.  Gives: inFront.
 #ifndef Order_glsl

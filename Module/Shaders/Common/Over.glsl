@@ -1,6 +1,8 @@
-// Over.glsl: what blending takes to put a colour over what is there: colour + transmittance * that (vtkTranslucencyFrame::GetOver).
+// Over.glsl: what blending takes to put a colour over what is there: colour + transmittance * that
+// (vtkTranslucencyFrame::GetOver).
 //
-// With one channel it takes the transmittance from alpha, which is 1 - transmittance; with three from a second source colour.
+// With one channel it takes the transmittance from alpha, which is 1 - transmittance; with three from a second source
+// colour.
 //
 // Needs: TRANSMITTANCE_CHANNELS.  Gives: overOutput, which is output 0.
 #ifndef Over_glsl

@@ -1,15 +1,17 @@
-// PixelTargets.glsl: the records of Pixels.glsl in colours of 32-bit words, four in each, of which a fragment fetches what earlier ones have drawn
-// (GL_EXT_shader_framebuffer_fetch). The driver keeps the fragments of a pixel apart and in the order of drawing.
+// PixelTargets.glsl: the records of Pixels.glsl in colours of 32-bit words, four in each, of which a fragment fetches
+// what earlier ones have drawn (GL_EXT_shader_framebuffer_fetch). The driver keeps the fragments of a pixel apart and
+// in the order of drawing.
 //
-// All words of a record are fetched at once, changed in registers, and drawn. So words are to be numbered by constants, in mappers' shaders
-// after the preprocessor (Adaptive/EachNode.glsl).
+// All words of a record are fetched at once, changed in registers, and drawn. So words are to be numbered by constants,
+// in mappers' shaders after the preprocessor (Adaptive/EachNode.glsl).
 //
-// In the beginning some of the first words are EMPTY_NUMBER, as the technique has asked (vtkTranslucencyFrame::UsePixels); the others are
-// what was there before. A technique takes from them what recordCount tells of records in buffers.
+// In the beginning some of the first words are EMPTY_NUMBER, as the technique has asked
+// (vtkTranslucencyFrame::UsePixels); the others are what was there before. A technique takes from them what recordCount
+// tells of records in buffers.
 //
 // Needs: RECORD_TARGETS (1 to 8), RECORDS_READ_ONLY (1: a shader of the screen, which reads them as textures).
-// Gives: PixelRecord, pixelRecord, recordWord, setRecordWord, and where they are not read only drawRecord, and gatheredColors, which takes the place
-// of gl_FragData in a mapper's shader.
+// Gives: PixelRecord, pixelRecord, recordWord, setRecordWord, and where they are not read only drawRecord, and
+// gatheredColors, which takes the place of gl_FragData in a mapper's shader.
 #ifndef PixelTargets_glsl
 #define PixelTargets_glsl
 #include "Common/Bindings.glsl"

@@ -1,13 +1,16 @@
 // Pixels.glsl: a record of bounded size for each sample of each pixel, that fragments change one after the other.
 //
-// PIXEL_WORDS words a record, beside a count. Pixels lie in blocks of 8 x 4, and in a block all first words come first, then all second
-// ones: the lanes of a vector, which are neighbours in the picture, find each word in one or two cache lines.
+// PIXEL_WORDS words a record, beside a count. Pixels lie in blocks of 8 x 4, and in a block all first words come first,
+// then all second ones: the lanes of a vector, which are neighbours in the picture, find each word in one or two cache
+// lines.
 //
 // Counts are 0 in the beginning; the words are what was there before.
 //
-// With RECORD_TARGETS above 0 they lie in that many colours instead, have no count, and PixelTargets.glsl gives what there is.
+// With RECORD_TARGETS above 0 they lie in that many colours instead, have no count, and PixelTargets.glsl gives what
+// there is.
 //
-// Needs: PIXEL_WORDS, SAMPLES, RECORD_TARGETS.  Gives: pixelIndex, PixelRecord, pixelRecord, recordCount, setRecordCount, recordWord, setRecordWord.
+// Needs: PIXEL_WORDS, SAMPLES, RECORD_TARGETS.  Gives: pixelIndex, PixelRecord, pixelRecord, recordCount,
+// setRecordCount, recordWord, setRecordWord.
 #ifndef Pixels_glsl
 #define Pixels_glsl
 #ifndef RECORD_TARGETS

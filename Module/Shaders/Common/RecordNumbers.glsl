@@ -1,7 +1,8 @@
-// RecordNumbers.glsl: what techniques keep in the words of a pixel's record: floats, packed colours, and sums over fragments that found no room.
+// RecordNumbers.glsl: what techniques keep in the words of a pixel's record: floats, packed colours, and sums over
+// fragments that found no room.
 //
-// Needs: PIXEL_WORDS, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Common/Pixels.glsl; recordFloat, recordVector, recordChannels, recordColor and the
-// same with set before them; Tail, loadTail, storeTail; sampleRecord.
+// Needs: PIXEL_WORDS, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: Common/Pixels.glsl; recordFloat, recordVector,
+// recordChannels, recordColor and the same with set before them; Tail, loadTail, storeTail; sampleRecord.
 #ifndef RecordNumbers_glsl
 #define RecordNumbers_glsl
 #include "Common/Channels.glsl"

@@ -3,7 +3,8 @@
 // A shader can't write different colours to the samples of a pixel: where they differ, they wait in sampleColors for
 // Common/CompositeSamples.glsl.
 //
-// Needs: resolvePixel(pixel, color, transmittance), false where a pixel holds nothing; TRANSMITTANCE_CHANNELS.  Gives: main.
+// Needs: resolvePixel(pixel, color, transmittance), false where a pixel holds nothing; TRANSMITTANCE_CHANNELS.  Gives:
+// main.
 #include "Common/Output.glsl"
 #include "Common/SampleColors.glsl"
 #include "Common/Samples.glsl"

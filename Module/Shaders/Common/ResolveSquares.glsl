@@ -1,11 +1,12 @@
-// ResolveSquares.glsl: the vertex shader of every resolve: a point as large as a square of pixels, from gl_VertexID alone.
+// ResolveSquares.glsl: the vertex shader of every resolve: a point as large as a square of pixels, from gl_VertexID
+// alone.
 //
-// Points, not pairs of triangles: a driver shades small blocks of pixels, and those on the diagonal of a square twice, for each of
-// its triangles. On squares of 16 x 16 that is a quarter more work. OpenGL's viewport is the tile, rounded up to whole squares: a
-// point whose centre is outside would be clipped.
+// Points, not pairs of triangles: a driver shades small blocks of pixels, and those on the diagonal of a square twice,
+// for each of its triangles. On squares of 16 x 16 that is a quarter more work. OpenGL's viewport is the tile, rounded
+// up to whole squares: a point whose centre is outside would be clipped.
 //
-// A square is drawn by the resolve whose range its number of fragments falls into, resolveFewer < n <= resolveMost, and by
-// those to whose level a pixel of it was left. Squares in which nothing is stored are not drawn.
+// A square is drawn by the resolve whose range its number of fragments falls into, resolveFewer < n <= resolveMost, and
+// by those to whose level a pixel of it was left. Squares in which nothing is stored are not drawn.
 //
 // Needs: SAMPLES, UNITS_ARE_FRAGMENTS.  Gives: main.
 #include "Common/Bindings.glsl"

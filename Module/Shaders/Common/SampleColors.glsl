@@ -1,7 +1,7 @@
 // SampleColors.glsl: the resolved colours of a pixel's samples, on their way into the framebuffer.
 //
-// Half floats of the colour, multiplied by the opacity, and of what is hidden; all 0, which changes nothing when it is blended, until a resolve
-// has written them and again after Common/CompositeSamples.glsl has taken them.
+// Half floats of the colour, multiplied by the opacity, and of what is hidden; all 0, which changes nothing when it is
+// blended, until a resolve has written them and again after Common/CompositeSamples.glsl has taken them.
 //
 // Needs: SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: storeSample; takeSample, false where there is nothing.
 #ifndef SampleColors_glsl
@@ -31,7 +31,8 @@ uint sampleIndex(ivec2 pixel, int index)
 void storeSample(ivec2 pixel, int index, vec3 color, Channels transmittance)
 {
   vec3 hidden = 1.0 - transmittance;
-  sampleColors[sampleIndex(pixel, index)] = uvec4(packHalves(vec4(color, hidden.r)), packHalves(vec4(hidden.gb, 0.0, 0.0)));
+  sampleColors[sampleIndex(pixel, index)] =
+    uvec4(packHalves(vec4(color, hidden.r)), packHalves(vec4(hidden.gb, 0.0, 0.0)));
 }
 
 bool takeSample(ivec2 pixel, int index, out vec3 color, out Channels transmittance)

@@ -1,9 +1,9 @@
 // Samples.glsl: multi-sampling by coverage masks (Yang et al. 2010; Salvi 2011, section 4.2).
 //
-// A fragment is shaded and stored once for all samples of a pixel that it covers. Resolves run first for the whole pixel. If not all of
-// its fragments cover all samples, a short list is blended once a sample (ABuffer/ResolveShort.glsl); a longer one is left to
-// LEVEL_EACH_SAMPLE and goes through the technique's resolves once for each sample, where fragments that do not cover the sample are
-// transparent.
+// A fragment is shaded and stored once for all samples of a pixel that it covers. Resolves run first for the whole
+// pixel. If not all of its fragments cover all samples, a short list is blended once a sample
+// (ABuffer/ResolveShort.glsl); a longer one is left to LEVEL_EACH_SAMPLE and goes through the technique's resolves once
+// for each sample, where fragments that do not cover the sample are transparent.
 //
 // Needs: SAMPLES.  Gives: resolveSample, atSample, samplesAgree.
 #ifndef Samples_glsl

@@ -1,14 +1,15 @@
 // SortBlock.glsl: sorts BLOCK_SIZE fragments that are held in registers.
 //
-// Batcher's odd-even merge sort (Batcher 1968, "Sorting networks and their applications"): its comparisons do not depend on
-// the data, so every index is a constant after the macros are expanded. No array is ever indexed at run time, which is what
-// keeps it in registers on a GPU and in SIMD lanes on a CPU. 8, 16 and 32 elements take 19, 63 and 191 comparisons.
-// Elements beyond the last fragment have the depth BLOCK_EMPTY and so stay behind.
+// Batcher's odd-even merge sort (Batcher 1968, "Sorting networks and their applications"): its comparisons do not
+// depend on the data, so every index is a constant after the macros are expanded. No array is ever indexed at run time,
+// which is what keeps it in registers on a GPU and in SIMD lanes on a CPU. 8, 16 and 32 elements take 19, 63 and 191
+// comparisons. Elements beyond the last fragment have the depth BLOCK_EMPTY and so stay behind.
 //
-// A network does not keep the order of equals. EQUAL_DEPTHS 1 decides between them (Order.glsl), which takes twice the steps;
-// EQUAL_DEPTHS 0 does not, and hasEqualDepths tells afterwards whether it would have been needed.
+// A network does not keep the order of equals. EQUAL_DEPTHS 1 decides between them (Order.glsl), which takes twice the
+// steps; EQUAL_DEPTHS 0 does not, and hasEqualDepths tells afterwards whether it would have been needed.
 //
-// Needs: BLOCK_SIZE (8, 16 or 32), EQUAL_DEPTHS, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: Block, emptyBlock, sortBlock, hasEqualDepths.
+// Needs: BLOCK_SIZE (8, 16 or 32), EQUAL_DEPTHS, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: Block, emptyBlock,
+// sortBlock, hasEqualDepths.
 #ifndef SortBlock_glsl
 #define SortBlock_glsl
 #include "Common/Channels.glsl"

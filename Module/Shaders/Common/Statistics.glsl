@@ -1,8 +1,8 @@
 // Statistics.glsl: what a resolve learns about the frame and leaves for the application and for later resolves.
 //
-// A resolve may leave pixels to a later one: it marks their square of RESOLVE_SQUARE x RESOLVE_SQUARE pixels with the later one's
-// level, and only squares so marked are drawn then (see ResolveSquares.glsl). Code for long lists so never runs, and never takes
-// registers, where lists are short.
+// A resolve may leave pixels to a later one: it marks their square of RESOLVE_SQUARE x RESOLVE_SQUARE pixels with the
+// later one's level, and only squares so marked are drawn then (see ResolveSquares.glsl). Code for long lists so never
+// runs, and never takes registers, where lists are short.
 //
 // Needs: nothing.  Gives: recordFragments, recordUnfinished, leaveToLevel, squareLevels.
 #ifndef Statistics_glsl

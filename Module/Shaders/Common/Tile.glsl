@@ -13,8 +13,9 @@
 
 #define ALL_SAMPLES ((1u << SAMPLES) - 1u)
 
-// Whether a pixel belongs to the tile. The scissor test should see to it; with several samples llvmpipe also shades pixels beside the
-// rectangle, whose fragments would end up in other pixels' lists, and whose colours would be drawn twice.
+// Whether a pixel belongs to the tile. The scissor test should see to it; with several samples llvmpipe also shades
+// pixels beside the rectangle, whose fragments would end up in other pixels' lists, and whose colours would be drawn
+// twice.
 bool inTile(ivec2 pixel)
 {
 #if SAMPLES > 1 || TARGET_SAMPLES > 1

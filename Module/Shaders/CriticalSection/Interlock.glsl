@@ -1,11 +1,13 @@
-// CriticalSection/Interlock.glsl: the hardware lets the fragments of a pixel through one at a time, in the order of drawing
-// (GL_ARB_fragment_shader_interlock, its ancestor of NVIDIA, or Intel's ordering).
+// CriticalSection/Interlock.glsl: the hardware lets the fragments of a pixel through one at a time, in the order of
+// drawing (GL_ARB_fragment_shader_interlock, its ancestor of NVIDIA, or Intel's ordering).
 //
-// The extensions want the section's two ends in main, outside of any branch: that is where Core writes BEGIN_ and END_CRITICAL_SECTION.
-// Between them, what an earlier fragment of the pixel wrote to coherent memory is seen by the later one: both ends are barriers for it, so no
-// memoryBarrier is needed. Intel's section has no end: it lasts to the end of the shader.
+// The extensions want the section's two ends in main, outside of any branch: that is where Core writes BEGIN_ and
+// END_CRITICAL_SECTION. Between them, what an earlier fragment of the pixel wrote to coherent memory is seen by the
+// later one: both ends are barriers for it, so no memoryBarrier is needed. Intel's section has no end: it lasts to the
+// end of the shader.
 //
-// Needs: nothing.  Gives: CRITICAL_MEMORY, CRITICAL_SECTION, BEGIN_CRITICAL_SECTION, END_CRITICAL_SECTION (Spinlock.glsl says what they are).
+// Needs: nothing.  Gives: CRITICAL_MEMORY, CRITICAL_SECTION, BEGIN_CRITICAL_SECTION, END_CRITICAL_SECTION
+// (Spinlock.glsl says what they are).
 #ifndef CriticalSection_glsl
 #define CriticalSection_glsl
 

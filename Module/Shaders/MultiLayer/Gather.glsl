@@ -1,5 +1,5 @@
-// MultiLayer/Gather.glsl: a fragment goes to its place among the layers of its pixel; if there is then one too many, the farthest goes to the
-// tail (Layers.glsl).
+// MultiLayer/Gather.glsl: a fragment goes to its place among the layers of its pixel; if there is then one too many,
+// the farthest goes to the tail (Layers.glsl).
 //
 // Of equal depths, the fragment that comes later is put in front, as in linked lists.
 //
@@ -39,8 +39,8 @@ void addToTail(PixelRecord record, Layer last, bool continues)
 }
 
 #if RECORD_TARGETS
-// All layers are in registers: the fragment takes the place of the first that is not in front of it, that one takes the place of the next, and
-// so on.
+// All layers are in registers: the fragment takes the place of the first that is not in front of it, that one takes the
+// place of the next, and so on.
 void updatePixel(PixelRecord record, vec4 color, float depth)
 {
   Layer carried = Layer(depth, packContent(Content(color.a * color.rgb, 1.0 - opacityOf(color))));

@@ -1,21 +1,23 @@
 // MultiLayer/Layers.glsl: the layers of a pixel as its record holds them, front to back.
 //
-// First the depths of all, then the tail, then of each layer the colour with what the layer lets through (Common/Channels.glsl):
-// - half floats: the colour, multiplied by its opacity, and what is let through: two words, or three with three channels;
-// - bytes: the colour, not multiplied by the opacity, and the opacity: one word; with three channels the colour over its greatest component,
-//   that, and three opacities: two words.
+// First the depths of all, then the tail, then of each layer the colour with what the layer lets through
+// (Common/Channels.glsl):
+// - half floats: the colour, multiplied by its opacity, and what is let through: two words, or three with three
+//   channels;
+// - bytes: the colour, not multiplied by the opacity, and the opacity: one word; with three channels the colour over
+//   its greatest component, that, and three opacities: two words.
 //
 // What becomes of fragments that find no room is the TAIL:
 // - TAIL_MERGE: they are blended into the last layer (multi-layer alpha blending, Salvi and Vaidyanathan 2014).
 // - TAIL_DROP: they are left out (k-buffer, Bavoil et al. 2007).
-// - TAIL_AVERAGE: sums behind the layers, as five floats: opacity times colour, opacity, and the product of 1 - opacity (hybrid
-//   transparency, Maule et al. 2013); nine with three channels.
+// - TAIL_AVERAGE: sums behind the layers, as five floats: opacity times colour, opacity, and the product of 1 - opacity
+//   (hybrid transparency, Maule et al. 2013); nine with three channels.
 //
-// In buffers, a record's count is that of its layers, and LAYERS + 1 if its tail is in use. In colours, the depths and the first word of the
-// tail are EMPTY_NUMBER in the beginning.
+// In buffers, a record's count is that of its layers, and LAYERS + 1 if its tail is in use. In colours, the depths and
+// the first word of the tail are EMPTY_NUMBER in the beginning.
 //
-// Needs: LAYERS, TAIL, COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: what Common/RecordNumbers.glsl gives, Layer, layerDepth, loadColor,
-// storeColor, loadLayer, storeLayer, countLayers, Content, packContent, unpackContent.
+// Needs: LAYERS, TAIL, COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: what Common/RecordNumbers.glsl gives,
+// Layer, layerDepth, loadColor, storeColor, loadLayer, storeLayer, countLayers, Content, packContent, unpackContent.
 #ifndef Layers_glsl
 #define Layers_glsl
 #ifndef LAYERS

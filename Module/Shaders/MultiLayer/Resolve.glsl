@@ -1,5 +1,5 @@
-// MultiLayer/Resolve.glsl: the layers of a pixel, or a sample of it, one behind the other, and what its tail holds behind them: the mean colour,
-// as opaque as all of it together.
+// MultiLayer/Resolve.glsl: the layers of a pixel, or a sample of it, one behind the other, and what its tail holds
+// behind them: the mean colour, as opaque as all of it together.
 //
 // Needs: LAYERS, TAIL, COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS.
 #define RECORDS_READ_ONLY 1

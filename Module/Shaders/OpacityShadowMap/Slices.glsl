@@ -1,7 +1,8 @@
 // OpacityShadowMap/Slices.glsl: absorbance along a ray on a uniform grid (Kim and Neumann 2001, "Opacity shadow maps").
 //
-// Each of SLICES slices of equal depth sums the absorbance of the fragments in it. In front of a depth are all slices before its own, and of
-// its own the part that the depth has passed: between the planes of the grid absorbance is interpolated.
+// Each of SLICES slices of equal depth sums the absorbance of the fragments in it. In front of a depth are all slices
+// before its own, and of its own the part that the depth has passed: between the planes of the grid absorbance is
+// interpolated.
 //
 // Valid C++, too.
 //

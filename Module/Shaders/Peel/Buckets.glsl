@@ -1,10 +1,11 @@
-// Peel/Buckets.glsl: what a sample's record holds while its layers are peeled by bucket sort (Liu, Huang, Liu and Wu 2009).
+// Peel/Buckets.glsl: what a sample's record holds while its layers are peeled by bucket sort (Liu, Huang, Liu and Wu
+// 2009).
 //
-// From the nearest depth that is left on, BUCKETS intervals of one length share the depths; whatever lies farther goes to the last of them. A
-// bucket has room for the layers of BUCKET_SIZE depths, in any order, the nearest ones that have come to it; each is a depth and as half
-// floats the colour, multiplied by its opacity, with the opacity, or with three of them (Common/Channels.glsl). A depth that finds no room, or has
-// to make room, lowers the limit: in front of it all layers are in their buckets, with all of their fragments. From it on they wait for the next
-// drawing.
+// From the nearest depth that is left on, BUCKETS intervals of one length share the depths; whatever lies farther goes
+// to the last of them. A bucket has room for the layers of BUCKET_SIZE depths, in any order, the nearest ones that have
+// come to it; each is a depth and as half floats the colour, multiplied by its opacity, with the opacity, or with three
+// of them (Common/Channels.glsl). A depth that finds no room, or has to make room, lowers the limit: in front of it all
+// layers are in their buckets, with all of their fragments. From it on they wait for the next drawing.
 //
 // The words:
 // - begin: fragments in front of it have been peeled; NO_DEPTH when nothing is left to do
@@ -12,12 +13,12 @@
 // - buckets: how many of them a unit of depth has
 // - peeled: how many layers have been
 // - front: colour of what has been peeled, and how much it lets through, in floats
-// - layers; or in their place, where what is left is averaged, the tail: sums of opacity * colour and of opacity, and the product of
-//   1 - opacity, in floats
-// A record's count tells how many layers there are in each bucket, BUCKET_BITS each, and whether it is the tail that is gathered.
+// - layers; or in their place, where what is left is averaged, the tail: sums of opacity * colour and of opacity, and
+//   the product of 1 - opacity, in floats A record's count tells how many layers there are in each bucket, BUCKET_BITS
+//   each, and whether it is the tail that is gathered.
 //
-// Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: those words, what Common/RecordNumbers.glsl gives,
-// Content, loadContent, storeContent, Front, loadFront, storeFront, layerWord, bucketCount.
+// Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: those words, what Common/RecordNumbers.glsl
+// gives, Content, loadContent, storeContent, Front, loadFront, storeFront, layerWord, bucketCount.
 #ifndef Buckets_glsl
 #define Buckets_glsl
 #ifndef BUCKETS

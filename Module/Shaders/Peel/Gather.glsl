@@ -1,15 +1,17 @@
-// Peel/Gather.glsl: takes the layers off whose depths the drawing before has found, and finds the depths of the next ones.
+// Peel/Gather.glsl: takes the layers off whose depths the drawing before has found, and finds the depths of the next
+// ones.
 //
-// One drawing does both, as in dual depth peeling (Bavoil and Myers 2008). Of the fragments between the bounds, those that are as near as
-// the nearest give their colours to the front layer, and those as far as the farthest to the back layer; all others are left for the
-// next drawings, and the nearest and the farthest of them become the bounds of the next. Fragments in front of the bounds or behind them
-// have been peeled. All fragments of a layer's depth belong to it: blending puts them over each other, in the order of drawing.
+// One drawing does both, as in dual depth peeling (Bavoil and Myers 2008). Of the fragments between the bounds, those
+// that are as near as the nearest give their colours to the front layer, and those as far as the farthest to the back
+// layer; all others are left for the next drawings, and the nearest and the farthest of them become the bounds of the
+// next. Fragments in front of the bounds or behind them have been peeled. All fragments of a layer's depth belong to
+// it: blending puts them over each other, in the order of drawing.
 //
-// The tail is all that is between the bounds after the last layer: the sums of opacity * colour and of opacity, and the product of
-// 1 - opacity, in any order.
+// The tail is all that is between the bounds after the last layer: the sums of opacity * colour and of opacity, and the
+// product of 1 - opacity, in any order.
 //
-// Needs: PEEL_METHOD, TARGET_SAMPLES.  Gives: rejectFragment, gatherFragment; outputs 0: bounds, or in the tail the opacity, 1: front layer, or the
-// tail's colour, 2: back layer.
+// Needs: PEEL_METHOD, TARGET_SAMPLES.  Gives: rejectFragment, gatherFragment; outputs 0: bounds, or in the tail the
+// opacity, 1: front layer, or the tail's colour, 2: back layer.
 #ifndef PEEL_METHOD
 #error "Peel/Gather.glsl needs PEEL_METHOD"
 #endif

@@ -1,14 +1,16 @@
 // Peel/GatherBuckets.glsl: a fragment goes to the layer of its depth in the bucket of its depth (Buckets.glsl).
 //
-// Why nothing is lost: a bucket that is full keeps its nearest depths. When a depth finds no room in it, or has to leave, all that are in the
-// bucket then, and stay, are nearer; so none of that depth's fragments will get into it again, and the limit is not behind it. Turned round, a
-// depth in front of the limit has had its place from its first fragment on, and the layer holds all of them. Which of them that is does
-// not depend on the order in which depths come; fragments of one depth are put over each other as they come.
+// Why nothing is lost: a bucket that is full keeps its nearest depths. When a depth finds no room in it, or has to
+// leave, all that are in the bucket then, and stay, are nearer; so none of that depth's fragments will get into it
+// again, and the limit is not behind it. Turned round, a depth in front of the limit has had its place from its first
+// fragment on, and the layer holds all of them. Which of them that is does not depend on the order in which depths
+// come; fragments of one depth are put over each other as they come.
 //
-// The limit only goes down while fragments come. So rejectFragment may read it without the critical section: an older value is behind the newer
-// one, and rejects nothing that the newer one would take. begin doesn't change.
+// The limit only goes down while fragments come. So rejectFragment may read it without the critical section: an older
+// value is behind the newer one, and rejects nothing that the newer one would take. begin doesn't change.
 //
-// Needs: BUCKETS, BUCKET_SIZE, PEEL_TAIL (whether what is left is averaged), SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: rejectFragment, gatherFragment.
+// Needs: BUCKETS, BUCKET_SIZE, PEEL_TAIL (whether what is left is averaged), SAMPLES, TRANSMITTANCE_CHANNELS.  Gives:
+// rejectFragment, gatherFragment.
 #ifndef PEEL_TAIL
 #error "Peel/GatherBuckets.glsl needs PEEL_TAIL"
 #endif
@@ -75,7 +77,8 @@ void addToBucket(PixelRecord record, Content layer, float depth, uint count)
   if (found)
   {
     Content behind = loadContent(record, word);
-    layer = Content(layer.color + (1.0 - layer.opacity) * behind.color, layer.opacity + (1.0 - layer.opacity) * behind.opacity);
+    layer = Content(layer.color + (1.0 - layer.opacity) * behind.color,
+      layer.opacity + (1.0 - layer.opacity) * behind.opacity);
   }
   else if (room)
   {

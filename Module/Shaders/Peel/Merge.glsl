@@ -1,7 +1,7 @@
 // Peel/Merge.glsl: puts the layers just peeled behind those from the front, and in front of those from the back.
 //
-// Blending does that: under and over. The bounds of the next layers are the lesser ones, GL_MIN: what is left lies between the layers that
-// have been peeled, and NO_BOUNDS is less than any.
+// Blending does that: under and over. The bounds of the next layers are the lesser ones, GL_MIN: what is left lies
+// between the layers that have been peeled, and NO_BOUNDS is less than any.
 //
 // Needs: PEEL_METHOD, TARGET_SAMPLES.  Gives: main.
 #ifndef PEEL_METHOD

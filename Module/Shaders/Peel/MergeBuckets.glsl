@@ -1,12 +1,14 @@
-// Peel/MergeBuckets.glsl: puts the layers in front of the limit behind those that have been peeled, and makes the buckets ready for what is left
-// from the limit on.
+// Peel/MergeBuckets.glsl: puts the layers in front of the limit behind those that have been peeled, and makes the
+// buckets ready for what is left from the limit on.
 //
-// Depths that are far closer to each other than the buckets are long get no more than a bucket's room in a drawing. So the next buckets are as
-// long as two of the layers just peeled were deep, half of a bucket's room: of 16 layers with depths at random then most come in a drawing.
+// Depths that are far closer to each other than the buckets are long get no more than a bucket's room in a drawing. So
+// the next buckets are as long as two of the layers just peeled were deep, half of a bucket's room: of 16 layers with
+// depths at random then most come in a drawing.
 //
 // Fragments that it leaves tell that something is left.
 //
-// Needs: BUCKETS, BUCKET_SIZE, PEEL_LAYERS (the most to peel, 0 for all), PEEL_TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: main.
+// Needs: BUCKETS, BUCKET_SIZE, PEEL_LAYERS (the most to peel, 0 for all), PEEL_TAIL, SAMPLES, TRANSMITTANCE_CHANNELS.
+// Gives: main.
 #ifndef PEEL_LAYERS
 #error "Peel/MergeBuckets.glsl needs PEEL_LAYERS"
 #endif

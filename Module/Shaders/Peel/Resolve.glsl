@@ -1,8 +1,8 @@
 // Peel/Resolve.glsl: a pixel's colour: the layers from the front, then the tail, then the layers from the back.
 //
-// Colours of layers are multiplied by their opacity. Alpha is what the front ones let through, and the opacity of the back ones. The
-// tail's colour is the mean of its fragments' colours by their opacities, as opaque as they all are one behind the other:
-//     (1 - product(1 - a)) * sum(a c) / sum(a)
+// Colours of layers are multiplied by their opacity. Alpha is what the front ones let through, and the opacity of the
+// back ones. The tail's colour is the mean of its fragments' colours by their opacities, as opaque as they all are one
+// behind the other: (1 - product(1 - a)) * sum(a c) / sum(a)
 //
 // Needs: PEEL_METHOD, PEEL_TAIL (whether there is one), TARGET_SAMPLES.
 #ifndef PEEL_METHOD

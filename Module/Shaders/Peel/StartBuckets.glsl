@@ -1,4 +1,5 @@
-// Peel/StartBuckets.glsl: records as they are before the first drawing: nothing has been peeled, and the buckets share all depths.
+// Peel/StartBuckets.glsl: records as they are before the first drawing: nothing has been peeled, and the buckets share
+// all depths.
 //
 // Needs: BUCKETS, BUCKET_SIZE, SAMPLES, TRANSMITTANCE_CHANNELS.  Gives: main.
 #include "Common/Tile.glsl"

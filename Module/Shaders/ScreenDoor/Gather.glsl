@@ -1,12 +1,12 @@
 // ScreenDoor/Gather.glsl: screen-door transparency: a fragment is dropped, or opaque.
 //
-// The mask is a square of maskSize * maskSize ranks, repeated over the window. A fragment is kept where
-//     opacity > (rank + 1/2) / cells
-// so that a flat one is kept in round(opacity * cells) cells of each period.
+// The mask is a square of maskSize * maskSize ranks, repeated over the window. A fragment is kept where opacity > (rank
+// + 1/2) / cells so that a flat one is kept in round(opacity * cells) cells of each period.
 //
-// With MASK_OFFSET, layers have the mask in different places: an object's front and back faces, or each primitive, are numbered, and
-// steps of the plastic number (a sequence without large gaps in two dimensions) move the mask for each number. Layers that are handed over
-// (Common/HandOver.glsl) are numbered themselves, whatever the mask: they come without faces and primitives.
+// With MASK_OFFSET, layers have the mask in different places: an object's front and back faces, or each primitive, are
+// numbered, and steps of the plastic number (a sequence without large gaps in two dimensions) move the mask for each
+// number. Layers that are handed over (Common/HandOver.glsl) are numbered themselves, whatever the mask: they come
+// without faces and primitives.
 //
 // Needs: MASK_OFFSET; maskSize is a power of 2, up to 256.  Gives: gatherFragment.
 #ifndef MASK_OFFSET

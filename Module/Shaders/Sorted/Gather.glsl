@@ -3,7 +3,8 @@
 // Where an object's back faces are drawn before its front faces, gatherPart is 1 for these, 2 for those and else 0
 // (vtkTranslucencyFrame::Faces). Polygons are culled; lines and points, which can't be, count as front faces.
 //
-// The under operator multiplies with the alpha that is there: with three transmittances each channel has a target of its own.
+// The under operator multiplies with the alpha that is there: with three transmittances each channel has a target of
+// its own.
 //
 // Needs: SORTED_TARGETS (1, or 3: one a channel), TRANSMITTANCE_CHANNELS.  Gives: gatherFragment.
 #ifndef SORTED_TARGETS

@@ -1,11 +1,11 @@
 // Stochastic/Gather.glsl: stochastic transparency (Enderton et al. 2010; Salvi et al. 2011, section 4).
 //
-// Stage 0: blending keeps the least depth of each of the pixel's DEPTH_SAMPLES depth samples, four a buffer; a fragment covers a random
-// part of them (Mask.glsl).
-// Stage 1: the part of the samples in which nothing nearer lies is the fragment's visibility,
-//     vis(z) = (number of samples with depth >= z) / DEPTH_SAMPLES,
-// on average the product of 1 - opacity of the fragments in front. Blending adds vis * opacity * colour and vis * opacity, and multiplies
-// 1 - opacity: only in the first of several rounds (stochasticAttenuation is 1, else 0), since total transmittance is no matter of chance.
+// Stage 0: blending keeps the least depth of each of the pixel's DEPTH_SAMPLES depth samples, four a buffer; a fragment
+// covers a random part of them (Mask.glsl). Stage 1: the part of the samples in which nothing nearer lies is the
+// fragment's visibility, vis(z) = (number of samples with depth >= z) / DEPTH_SAMPLES, on average the product of 1 -
+// opacity of the fragments in front. Blending adds vis * opacity * colour and vis * opacity, and multiplies 1 -
+// opacity: only in the first of several rounds (stochasticAttenuation is 1, else 0), since total transmittance is no
+// matter of chance.
 //
 // Needs: DEPTH_SAMPLES, PATTERNS, TARGET_SAMPLES.  Gives: gatherFragment.
 #define DEPTH_BUFFERS ((DEPTH_SAMPLES + 3) / 4)

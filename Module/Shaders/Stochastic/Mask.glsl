@@ -1,12 +1,13 @@
 // Stochastic/Mask.glsl: which of a pixel's depth samples a fragment covers (Enderton et al. 2010, section 3).
 //
-// Of DEPTH_SAMPLES samples S it covers floor(opacity * S + x), for a random x from 0 to 1: opacity * S on average. Which ones is a stipple
-// pattern from a table, a row for each number of samples covered. A pattern is turned by a random number of places, so that every sample
-// is covered equally often, whatever the table holds: that makes the method unbiased. The patterns make neighbouring samples
-// independent, which keeps its noise low.
+// Of DEPTH_SAMPLES samples S it covers floor(opacity * S + x), for a random x from 0 to 1: opacity * S on average.
+// Which ones is a stipple pattern from a table, a row for each number of samples covered. A pattern is turned by a
+// random number of places, so that every sample is covered equally often, whatever the table holds: that makes the
+// method unbiased. The patterns make neighbouring samples independent, which keeps its noise low.
 //
-// Random numbers depend on the seed, on the pixel (and sample of it), and on what tells its fragments apart: depth, and colour for fragments of
-// equal depth. They do not depend on the order of drawing. gl_PrimitiveID would: it starts anew with each actor.
+// Random numbers depend on the seed, on the pixel (and sample of it), and on what tells its fragments apart: depth, and
+// colour for fragments of equal depth. They do not depend on the order of drawing. gl_PrimitiveID would: it starts anew
+// with each actor.
 //
 // Needs: DEPTH_SAMPLES (up to 32), PATTERNS (in a row), TARGET_SAMPLES.  Gives: coveredDepths.
 #ifndef Mask_glsl
@@ -28,7 +29,8 @@ layout(std430, binding = STORAGE_BINDING_TABLE) readonly buffer StochasticPatter
 };
 uniform int stochasticSeed;
 
-// Of three numbers two that look random: the rounds of pcg3d (Jarzynski and Olano, "Hash functions for GPU rendering", JCGT 2020).
+// Of three numbers two that look random: the rounds of pcg3d (Jarzynski and Olano, "Hash functions for GPU rendering",
+// JCGT 2020).
 uvec2 randomWords(uvec3 v)
 {
   v = v * 1664525u + 1013904223u;

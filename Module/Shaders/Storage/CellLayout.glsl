@@ -10,7 +10,8 @@
 #define CELL_NEXT 0u      // the unit that is given out next
 #define CELL_FIRST 1u     // the first unit of the cell's range
 #define CELL_END 2u       // the first one behind it
-#define CELL_FRAGMENTS 3u // fragments that were drawn: counted by shaders or filled in by the application, vtkCellStorage::CountFragments
+// Fragments that were drawn: counted by shaders or filled in by the application, vtkCellStorage::CountFragments.
+#define CELL_FRAGMENTS 3u
 #define CELL_PIXELS 4u    // M-buffer: pixels that hold any
 #define CELL_INSERTED 5u  // fragments of volumes, which are stored from the range's end
 #define CELL_QUEUE 6u     // R-buffer: the fragment that is read first in the next pass

@@ -1,18 +1,20 @@
 // Cells.glsl: what all storages share: units (a node, a section) that a cell of pixels takes from a range of its own.
 //
-// vtkCellStorage.h says why. A cell's counter begins at the range's first unit. Counting goes on when the range is used up, into the next
-// cell's units or past the last one, so that the application knows what was needed: it then draws again.
+// vtkCellStorage.h says why. A cell's counter begins at the range's first unit. Counting goes on when the range is used
+// up, into the next cell's units or past the last one, so that the application knows what was needed: it then draws
+// again.
 //
-// Writes need no memory barrier among each other: each unit is written by those invocations only that were given a place in it, and only
-// the atomic operations meet. The barrier between writing and reading is the application's.
+// Writes need no memory barrier among each other: each unit is written by those invocations only that were given a
+// place in it, and only the atomic operations meet. The barrier between writing and reading is the application's.
 //
-// A shader that changes no fragments says so by FRAGMENTS_READ_ONLY 1, and a storage then fetches them as texels of its buffer: by a path with
-// caches of its own on a GPU, and on the software rasterizer for all lanes of a vector at once, where reading a buffer is a loop over the lanes
-// that checks each word.
+// A shader that changes no fragments says so by FRAGMENTS_READ_ONLY 1, and a storage then fetches them as texels of its
+// buffer: by a path with caches of its own on a GPU, and on the software rasterizer for all lanes of a vector at once,
+// where reading a buffer is a loop over the lanes that checks each word.
 //
-// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage), UNIT_LENGTH (fragments that a unit has room for).
-// Gives: what CellGrid.glsl gives, takeUnit, takePlace; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are counted readAccesses,
-// tableAccesses, addAccesses.
+// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage), UNIT_LENGTH (fragments that a unit has room
+// for).
+// Gives: what CellGrid.glsl gives, takeUnit, takePlace; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are
+// counted readAccesses, tableAccesses, addAccesses.
 #ifndef Cells_glsl
 #define Cells_glsl
 #ifndef COUNT_ACCESSES
@@ -62,7 +64,8 @@ void addAccesses(uint counter, uint kind, uint count)
 
 #define COUNT_STORE(counter) atomicAdd(cells[(counter) + CELL_STORES], 1u)
 #define COUNT_READ() readAccesses += uint(READS_COUNT)
-#define COUNT_TABLE(entry) tableAccesses += (entry) != 0u ? uint(TABLE_COUNTS) : 0u // as in the paper, where empty entries cost nothing
+// As in the paper, where empty entries cost nothing.
+#define COUNT_TABLE(entry) tableAccesses += (entry) != 0u ? uint(TABLE_COUNTS) : 0u
 #else
 #define COUNT_STORE(counter)
 #define COUNT_READ()

@@ -1,8 +1,9 @@
 // LinkedList.glsl: one linked list of fragments a pixel, the last drawn first (Yang et al. 2010).
 //
-// Where fragments of a pixel are drawn in order, nobody else is at the pixel's head. Then a pixel takes a run of NODE_RUN nodes at a time, and its next
-// fragments go into the nodes behind: one atomic operation for four fragments, which lie side by side when they are read. Every node has its link all
-// the same. A run begins at a multiple of its length, so a head tells whether the next node is the pixel's.
+// Where fragments of a pixel are drawn in order, nobody else is at the pixel's head. Then a pixel takes a run of
+// NODE_RUN nodes at a time, and its next fragments go into the nodes behind: one atomic operation for four fragments,
+// which lie side by side when they are read. Every node has its link all the same. A run begins at a multiple of its
+// length, so a head tells whether the next node is the pixel's.
 //
 // Elsewhere every fragment takes a node, and offers it by an exchange.
 //

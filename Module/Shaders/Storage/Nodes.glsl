@@ -1,9 +1,10 @@
 // Nodes.glsl: fragments with a link to another one of their pixel, or to the next one of a queue.
 //
-// Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node in 24 bits (0: none),
-// so that the coverage finds room beside it.
+// Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node
+// in 24 bits (0: none), so that the coverage finds room beside it.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS, UNIT_LENGTH (nodes that a pixel takes at a time).
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS, UNIT_LENGTH (nodes
+// that a pixel takes at a time).
 // Gives: nodeRoom, writeNode, mergeIntoNode, and of what Shaders/README.md asks of a storage all but storeFragment.
 #ifndef Nodes_glsl
 #define Nodes_glsl
@@ -37,7 +38,8 @@ layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer ListNodes
 uniform usamplerBuffer fragmentTexels;
 #endif
 
-// The same, two words at a time, where there are such numbers: the software rasterizer stores each component on its own, and checks where to.
+// The same, two words at a time, where there are such numbers: the software rasterizer stores each component on its
+// own, and checks where to.
 #if NODE_WORDS == 4 && FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN && defined(GL_ARB_gpu_shader_int64)
 #define NODE_PAIRS 1
 layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer NodePairs
@@ -92,7 +94,8 @@ void writeNode(uint index, uint next, Fragment fragment)
 {
   uint link = packLink(index + 1u, next, fragment.coverage);
 #if NODE_PAIRS
-  nodePairs[index] = u64vec2(packUint2x32(uvec2(link, floatBitsToUint(fragment.depth))), packUint2x32(fragment.color.xy));
+  nodePairs[index] =
+    u64vec2(packUint2x32(uvec2(link, floatBitsToUint(fragment.depth))), packUint2x32(fragment.color.xy));
 #elif NODE_WORDS == 4
   listNodes[index] = uvec4(link, floatBitsToUint(fragment.depth), fragment.color.xy);
 #else
@@ -128,7 +131,8 @@ Fragment loadNode(uint node, out uint next)
 }
 
 #if MERGES_SAMPLES
-// Whether a fragment has joined the one that was stored last in its pixel; 0 if there is none. A node behind the last one is counted only.
+// Whether a fragment has joined the one that was stored last in its pixel; 0 if there is none. A node behind the last
+// one is counted only.
 bool mergeIntoNode(uint last, Fragment fragment, float depthExtent)
 {
   if (last != 0u && last <= nodeRoom())
@@ -197,8 +201,8 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
   return true;
 }
 
-// As many fragments as are read together: a run of nodes, where none has been moved. Those that are not there are empty. Gives the number of those
-// that are.
+// As many fragments as are read together: a run of nodes, where none has been moved. Those that are not there are
+// empty. Gives the number of those that are.
 #if NODE_LINKS < 2 && UNIT_LENGTH > 1
 #define READ_GROUP NODE_RUN
 

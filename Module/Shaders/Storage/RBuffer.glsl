@@ -1,7 +1,8 @@
 // RBuffer.glsl: a first-in first-out buffer of fragments with their pixel: the R-buffer.
 //
-// Each cell of pixels has a buffer of its own, the range of nodes that it takes from: fragments of one pixel lie in it in the order of drawing,
-// those of others between them. Reading them takes passes over all of it, Storage/Retrieve.glsl, which makes a list of each pixel in the end.
+// Each cell of pixels has a buffer of its own, the range of nodes that it takes from: fragments of one pixel lie in it
+// in the order of drawing, those of others between them. Reading them takes passes over all of it,
+// Storage/Retrieve.glsl, which makes a list of each pixel in the end.
 //
 // Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS.
 // Gives: what Shaders/README.md asks of a storage, queuePixels, secondDepths.

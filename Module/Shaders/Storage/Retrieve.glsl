@@ -1,14 +1,17 @@
-// Retrieve.glsl: one pass over the R-buffer's queues, an invocation a cell, which reads its fragments one after the other.
+// Retrieve.glsl: one pass over the R-buffer's queues, an invocation a cell, which reads its fragments one after the
+// other.
 //
-// A pass takes the farthest fragment of each pixel out of the queue. The first one read of a pixel is held; where a later one is behind it, that one is
-// held, and the one before takes its place in the queue. Depths of those that are held are the second depth buffer. Of equal depths the one drawn
-// earlier leaves first. What is held is put before the pixel's list when the pixel is next met in a later pass, or at the end: so the list begins with the
-// nearest fragment when the queue is empty.
+// A pass takes the farthest fragment of each pixel out of the queue. The first one read of a pixel is held; where a
+// later one is behind it, that one is held, and the one before takes its place in the queue. Depths of those that are
+// held are the second depth buffer. Of equal depths the one drawn earlier leaves first. What is held is put before the
+// pixel's list when the pixel is next met in a later pass, or at the end: so the list begins with the nearest fragment
+// when the queue is empty.
 //
-// The state of a pixel, three bits, is the pass that its fragment was held in, modulo 8: until none of it is in the queue, it
-// is met in every pass. Nothing is shared: a pixel belongs to one cell, a cell to one invocation.
+// The state of a pixel, three bits, is the pass that its fragment was held in, modulo 8: until none of it is in the
+// queue, it is met in every pass. Nothing is shared: a pixel belongs to one cell, a cell to one invocation.
 //
-// Needs: FRAGMENT_ORDER, and what Storage/RBuffer.glsl needs.  Gives: main; the fragment is discarded when the cell's queue is empty.
+// Needs: FRAGMENT_ORDER, and what Storage/RBuffer.glsl needs.  Gives: main; the fragment is discarded when the cell's
+// queue is empty.
 #include "Common/Order.glsl"
 #include "Common/Statistics.glsl"
 #include "Storage/RBuffer.glsl"

@@ -1,24 +1,30 @@
-// Sections.glsl: fragments in sections of SECTION_LENGTH, which lie one behind the other: the T-buffer, and with OWN_SECTIONS 1 the M-buffer.
+// Sections.glsl: fragments in sections of SECTION_LENGTH, which lie one behind the other: the T-buffer, and with
+// OWN_SECTIONS 1 the M-buffer.
 //
-// T-buffer: a pixel that holds nothing has no section, only an entry in the start-section table. M-buffer: each pixel has a section of its own, of its
-// own number, and its entry is the pointer memory's. Both take another section when one is full; nextSections (the next-section table, the pointer
-// memory) then tells which one was filled before. A pixel's entry names the section that is being filled, so that fragments are read in the reverse
-// order of drawing, as from linked lists: the papers' chains begin with the oldest section; entries and accesses are as many.
+// T-buffer: a pixel that holds nothing has no section, only an entry in the start-section table. M-buffer: each pixel
+// has a section of its own, of its own number, and its entry is the pointer memory's. Both take another section when
+// one is full; nextSections (the next-section table, the pointer memory) then tells which one was filled before. A
+// pixel's entry names the section that is being filled, so that fragments are read in the reverse order of drawing, as
+// from linked lists: the papers' chains begin with the oldest section; entries and accesses are as many.
 //
-// An entry is the section's number, counted from 1, and how many places in it are free; 0 is a pixel that holds nothing. Fragments are called by their
-// place + 1: going back one place takes no access, and only from a section's first place the next section is looked up.
+// An entry is the section's number, counted from 1, and how many places in it are free; 0 is a pixel that holds
+// nothing. Fragments are called by their place + 1: going back one place takes no access, and only from a section's
+// first place the next section is looked up.
 //
-// Concurrency. Where the driver keeps the order of drawing, nobody else is at the pixel's entry. Elsewhere a place is claimed by compare and swap
-// of the whole entry: whoever finds it full takes a section from its cell, writes which one came before, and then offers it; the others read that
-// only behind the application's barrier. No invocation waits for another one: a swap fails only if another one's has succeeded. Taking
-// the old entry for the new one of another section is not possible, since sections are not given back. Who has taken a section, but found a place in
-// somebody else's, leaves its own empty until the next frame: room is lost, no fragment ever. Sections behind the one that is being filled are full.
+// Concurrency. Where the driver keeps the order of drawing, nobody else is at the pixel's entry. Elsewhere a place is
+// claimed by compare and swap of the whole entry: whoever finds it full takes a section from its cell, writes which one
+// came before, and then offers it; the others read that only behind the application's barrier. No invocation waits for
+// another one: a swap fails only if another one's has succeeded. Taking the old entry for the new one of another
+// section is not possible, since sections are not given back. Who has taken a section, but found a place in somebody
+// else's, leaves its own empty until the next frame: room is lost, no fragment ever. Sections behind the one that is
+// being filled are full.
 //
-// Links. Sorting and volumes change the order of a pixel's fragments: those that have been moved have a link of their own, which the
-// cursor's highest bit tells. NODE_LINKS is 0 where there are none, 1 where lists are moved that have not been before, 2 where some have been.
+// Links. Sorting and volumes change the order of a pixel's fragments: those that have been moved have a link of their
+// own, which the cursor's highest bit tells. NODE_LINKS is 0 where there are none, 1 where lists are moved that have
+// not been before, 2 where some have been.
 //
-// Needs: SECTION_LENGTH, SECTION_FREE_BITS (the bits of what may be free), OWN_SECTIONS, NODE_LINKS, COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS,
-// FRAGMENT_ORDER, COUNT_ACCESSES.
+// Needs: SECTION_LENGTH, SECTION_FREE_BITS (the bits of what may be free), OWN_SECTIONS, NODE_LINKS, COLOR_FORMAT,
+// SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES.
 // Gives: what Shaders/README.md asks of a storage.
 #ifndef Sections_glsl
 #define Sections_glsl
@@ -200,7 +206,8 @@ Fragment loadNode(uint node, out uint next)
 #endif
 }
 
-// A place of a pixel with that entry; gives the entry as it is afterwards. taken is a section that was taken from the cell, 0 if none was yet.
+// A place of a pixel with that entry; gives the entry as it is afterwards. taken is a section that was taken from the
+// cell, 0 if none was yet.
 uint claimFrom(uint entry, uint at, uint counter, inout uint taken, out uint place)
 {
   uint section = sectionOf(entry);
@@ -303,8 +310,8 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
   return true;
 }
 
-// As many fragments as are read together: a section, where blocks of 8 are whole sections and none has been moved. Those that are not there
-// are empty. Gives the number of those that are.
+// As many fragments as are read together: a section, where blocks of 8 are whole sections and none has been moved.
+// Those that are not there are empty. Gives the number of those that are.
 #if NODE_LINKS < 2 && (SECTION_LENGTH == 2 || SECTION_LENGTH == 4 || SECTION_LENGTH == 8)
 #define READ_GROUP SECTION_LENGTH
 

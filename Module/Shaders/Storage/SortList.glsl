@@ -1,13 +1,14 @@
 // SortList.glsl: puts a pixel's list into front-to-back order by changing its links, in n log n steps.
 //
-// Runs of 32 nodes are sorted in registers; then, pass after pass, pairs of runs are merged (the bottom-up merge sort of linked
-// lists). A run that was nearer the head keeps precedence among equals, which keeps the order of drawing. Each list belongs to
-// one invocation: nothing is shared. Loops take several nodes a round: drivers may limit the rounds of a loop.
+// Runs of 32 nodes are sorted in registers; then, pass after pass, pairs of runs are merged (the bottom-up merge sort
+// of linked lists). A run that was nearer the head keeps precedence among equals, which keeps the order of drawing.
+// Each list belongs to one invocation: nothing is shared. Loops take several nodes a round: drivers may limit the
+// rounds of a loop.
 //
 // A storage whose fragments have no links gets them for this (vtkFragmentStorage::ReserveLinks).
 //
-// Needs: what the storage needs, FRAGMENT_ORDER.  Gives: sortRuns, mergeRuns, and for lists that a resolve merges itself: SortedList,
-// startList, appendSortedRun, endList.
+// Needs: what the storage needs, FRAGMENT_ORDER.  Gives: sortRuns, mergeRuns, and for lists that a resolve merges
+// itself: SortedList, startList, appendSortedRun, endList.
 #ifndef SortList_glsl
 #define SortList_glsl
 #define BLOCK_SIZE 32

@@ -1,7 +1,8 @@
 // SquareFragments.glsl: how many fragments the pixels of a square hold, for vertex shaders.
 //
-// The counters are fetched as texels of their buffer. A vertex shader declares no storage block: drivers need not have any there, and Mesa takes the wrong
-// blocks of a fragment shader for written if the vertex shader has some of them, too (Documentation/Drivers.md).
+// The counters are fetched as texels of their buffer. A vertex shader declares no storage block: drivers need not have
+// any there, and Mesa takes the wrong blocks of a fragment shader for written if the vertex shader has some of them,
+// too (Documentation/Drivers.md).
 //
 // Needs: UNITS_ARE_FRAGMENTS (1: a unit is a fragment, and none is taken in vain).  Gives: squareFragments.
 #ifndef SquareFragments_glsl
@@ -13,8 +14,8 @@
 
 uniform usamplerBuffer counterTexels;
 
-// About as many fragments as a pixel of the square that begins at this one holds: the mean of its cell, rounded up. 0 only if no
-// pixel of the square holds a fragment; a cell is a whole number of squares.
+// About as many fragments as a pixel of the square that begins at this one holds: the mean of its cell, rounded up. 0
+// only if no pixel of the square holds a fragment; a cell is a whole number of squares.
 uint squareFragments(ivec2 pixel)
 {
   int counter = int(counterOf(pixel));

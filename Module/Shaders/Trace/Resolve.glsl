@@ -1,8 +1,8 @@
 // Trace/Resolve.glsl: copies the fragments of all pixels for the application to read, and draws nothing.
 //
-// A list is walked twice: once for its length, by which the pixel gets a range of its own, and once to fill that from its end, since lists
-// give the last drawn first. Ranges behind traceRoom are counted only: the application compares the count with what was stored. Loops take
-// several fragments a round: drivers may limit the rounds.
+// A list is walked twice: once for its length, by which the pixel gets a range of its own, and once to fill that from
+// its end, since lists give the last drawn first. Ranges behind traceRoom are counted only: the application compares
+// the count with what was stored. Loops take several fragments a round: drivers may limit the rounds.
 //
 // Needs: COLOR_FORMAT, TRANSMITTANCE_CHANNELS (1).
 #define FRAGMENTS_READ_ONLY 1

@@ -2,20 +2,21 @@
 //
 // - WEIGHTED_SUM (Meshkin 2007): sum of opacity * colour, and of opacity.
 // - WEIGHTED_AVERAGE (Bavoil and Myers 2008): the same, and the number of fragments.
-// - WEIGHTED_BLENDED (McGuire and Bavoil 2013, Eq. 6): sum of weight * opacity * colour, of weight * opacity, and the product of
-//   1 - opacity, for which the blending of target 1 multiplies.
+// - WEIGHTED_BLENDED (McGuire and Bavoil 2013, Eq. 6): sum of weight * opacity * colour, of weight * opacity, and the
+//   product of 1 - opacity, for which the blending of target 1 multiplies.
 //
 // With three channels (Common/Channels.glsl) the opacities are those of red, green and blue, and the targets hold
 // - of sum and average: opacity * colour and the number of fragments; opacities;
-// - of blended: weight * opacity * colour; opacities; weight * opacities; and each in its alpha, one channel of the product, for which blending
-//   multiplies there.
-// A fragment that hides nothing of a channel adds its light all the same. Where all do that, their weights have no opacity to be weighed
-// against: LEAST_HIDDEN of what a fragment covers is counted, but not multiplied.
+// - of blended: weight * opacity * colour; opacities; weight * opacities; and each in its alpha, one channel of the
+//   product, for which blending multiplies there. A fragment that hides nothing of a channel adds its light all the
+//   same. Where all do that, their weights have no opacity to be weighed against: LEAST_HIDDEN of what a fragment
+//   covers is counted, but not multiplied.
 //
-// The weights are those of the 2013 paper, made for distances of 0.1 to 500: depths are mapped linearly from the clipping range to
-// weightNear .. weightFar. Eq. 10 takes the window's depth as it is.
+// The weights are those of the 2013 paper, made for distances of 0.1 to 500: depths are mapped linearly from the
+// clipping range to weightNear .. weightFar. Eq. 10 takes the window's depth as it is.
 //
-// Needs: WEIGHTED_METHOD, WEIGHTED_TARGETS (how many there are), TRANSMITTANCE_CHANNELS, and for WEIGHTED_BLENDED WEIGHT_FUNCTION.
+// Needs: WEIGHTED_METHOD, WEIGHTED_TARGETS (how many there are), TRANSMITTANCE_CHANNELS, and for WEIGHTED_BLENDED
+// WEIGHT_FUNCTION.
 // Gives: gatherFragment.
 #ifndef WEIGHTED_METHOD
 #error "Weighted/Gather.glsl needs WEIGHTED_METHOD"

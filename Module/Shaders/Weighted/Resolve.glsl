@@ -1,8 +1,8 @@
 // Weighted/Resolve.glsl: a pixel's colour from its sums (Gather.glsl).
 //
-// The sum (survey, "Weighted Sum") can let through less than nothing of what lies behind: blending takes that for nothing.
-// The average lets through what its mean opacity does, applied once a fragment: u = (1 - mean)^n. Blended weights let through what is
-// right.
+// The sum (survey, "Weighted Sum") can let through less than nothing of what lies behind: blending takes that for
+// nothing. The average lets through what its mean opacity does, applied once a fragment: u = (1 - mean)^n. Blended
+// weights let through what is right.
 //
 // Needs: WEIGHTED_METHOD, TARGET_SAMPLES, TRANSMITTANCE_CHANNELS.
 #ifndef WEIGHTED_METHOD

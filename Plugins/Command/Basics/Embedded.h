@@ -6,9 +6,9 @@
 
 namespace Embedded
 {
-extern const char* const SceneSchema;      ///< scene.schema.json
-extern const char* const HistogramSchema;  ///< histogram.schema.json
-extern const char* const PageTemplate;     ///< page.mustache
+extern const char* const SceneSchema;     ///< scene.schema.json
+extern const char* const HistogramSchema; ///< histogram.schema.json
+extern const char* const PageTemplate;    ///< page.mustache
 }
 
 #endif

@@ -10,8 +10,8 @@ std::string OneLine(const std::string& text)
   std::string line;
   for (const char character : text)
   {
-    const bool blank = std::isspace(static_cast<unsigned char>(character)) ||
-      std::iscntrl(static_cast<unsigned char>(character));
+    const bool blank =
+      std::isspace(static_cast<unsigned char>(character)) || std::iscntrl(static_cast<unsigned char>(character));
     if (!blank)
     {
       line += character;

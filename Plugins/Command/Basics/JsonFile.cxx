@@ -30,8 +30,7 @@ Json Parse(const std::string& file, const std::string& what)
   {
     // "[json.exception.parse_error.101] parse error at line 3, column 5: ..."
     static const std::regex decoration("^\\[[^\\]]*\\] ");
-    throw Failure(
-      file + ": is not JSON: " + Quotable(std::regex_replace(error.what(), decoration, "")));
+    throw Failure(file + ": is not JSON: " + Quotable(std::regex_replace(error.what(), decoration, "")));
   }
 }
 
@@ -125,8 +124,8 @@ void Validate(const std::string& file, const Json& document, const char* schemaT
   const Json& rule = RuleOf(schemaDocument, deepest.context);
   const std::string key = WrongKey(rule, value);
   const std::string what = key.empty() ? Shortened(value.dump()) : key;
-  throw Failure(file + ": at '" + pointer.to_string() + "': " + (key.empty() ? "is " : "") + what +
-    ", expected " + rule.value("description", deepest.description));
+  throw Failure(file + ": at '" + pointer.to_string() + "': " + (key.empty() ? "is " : "") + what + ", expected " +
+    rule.value("description", deepest.description));
 }
 }
 

@@ -31,8 +31,7 @@ Messages* Messages::Get()
   static vtkNew<Messages> messages;
   if (vtkOutputWindow::GetInstance() != messages)
   {
-    vtkLogger::SetStderrVerbosity(
-      vtkLogger::VERBOSITY_OFF); // or it would say everything a second time
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // or it would say everything a second time
     vtkOutputWindow::SetInstance(messages);
   }
   return messages;

@@ -39,8 +39,8 @@ void OutputFiles::AddFolder(const fs::path& folder)
   }
   if (!fs::create_directory(folder, error))
   {
-    throw Failure("folder '" + folder.string() +
-      "' can't be made: " + (error ? error.message() : "a file of that name exists"));
+    throw Failure(
+      "folder '" + folder.string() + "' can't be made: " + (error ? error.message() : "a file of that name exists"));
   }
   this->Folders.push_back(folder);
 }
@@ -54,8 +54,8 @@ fs::path OutputFiles::Add(const fs::path& file)
   {
     throw Failure("'" + file.string() + "' can't be written: it exists and is not a regular file");
   }
-  const fs::path written = file.parent_path() /
-    ("." + file.stem().string() + "." + std::to_string(getpid()) + file.extension().string());
+  const fs::path written =
+    file.parent_path() / ("." + file.stem().string() + "." + std::to_string(getpid()) + file.extension().string());
   OutputFiles::Write(written, "", file);
   this->Entries.push_back({ written, file });
   return written;

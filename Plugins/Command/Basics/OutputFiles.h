@@ -28,8 +28,7 @@ public:
   void AddText(const std::filesystem::path& file, const std::string& text);
 
   /// Writes text; throws Failure, with the file's name, if that fails.
-  static void Write(
-    const std::filesystem::path& file, const std::string& text, const std::filesystem::path& name);
+  static void Write(const std::filesystem::path& file, const std::string& text, const std::filesystem::path& name);
 
   /// Gives all files their names.
   void Commit();

@@ -65,8 +65,8 @@ int Specification::GetInteger(const std::string& key, int byDefault, int least, 
     const double value = vtkVariant(setting.second).ToDouble(&valid);
     if (!valid || value < least || value > most || value != std::floor(value))
     {
-      throw Failure(key + " is '" + setting.second + "' in '" + this->Text +
-        "', expected an integer in " + std::to_string(least) + ".." + std::to_string(most));
+      throw Failure(key + " is '" + setting.second + "' in '" + this->Text + "', expected an integer in " +
+        std::to_string(least) + ".." + std::to_string(most));
     }
     return static_cast<int>(value);
   }

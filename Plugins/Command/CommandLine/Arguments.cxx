@@ -1,10 +1,10 @@
 #include "Arguments.h"
 
-#include "Scenes/BuiltInScenes.h"
 #include "Basics/Failure.h"
+#include "Scenes/BuiltInScenes.h"
+#include "Study/Trace.h"
 #include "Techniques/Picture.h"
 #include "Techniques/Techniques.h"
-#include "Study/Trace.h"
 
 #include <CLI/CLI.hpp>
 
@@ -55,9 +55,8 @@ CLI::Validator SizeText()
   const auto check = [](const std::string& text)
   {
     static const std::regex form("0*[1-9][0-9]{0,8}x0*[1-9][0-9]{0,8}");
-    return std::regex_match(text, form)
-      ? std::string()
-      : "is '" + text + "', expected WIDTHxHEIGHT in pixels, both 1 or more";
+    return std::regex_match(text, form) ? std::string()
+                                        : "is '" + text + "', expected WIDTHxHEIGHT in pixels, both 1 or more";
   };
   return CLI::Validator(check, "WIDTHxHEIGHT");
 }
@@ -75,17 +74,18 @@ void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, 
 {
   command->add_option("INPUT", written.Sources,
     alone + "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)");
-  command->add_option(
-    "--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds");
+  command->add_option("--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds");
   command->add_option("--title", written.Title, "what reports call the scene");
 
   command->add_option("--color", written.Color, "colour of all: #rrggbb or a name")->group(Look);
   command->add_option("--opacity", written.Opacity, "opacity of all, 0 to 1")
     ->check(NumberIn(0, 1, "0..1"))
     ->group(Look);
-  command->add_option("--transmission", written.Transmission,
-    "what surfaces let through of what lies behind them, besides what their opacity leaves free: a colour; red is a red filter, black "
-    "(the default) none")
+  command
+    ->add_option("--transmission", written.Transmission,
+      "what surfaces let through of what lies behind them, besides what their opacity leaves free: a colour; red is a "
+      "red filter, black "
+      "(the default) none")
     ->group(Look);
   command
     ->add_option("--volume", written.Volume,
@@ -95,13 +95,11 @@ void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, 
   command->add_option("--isovalues", written.Isovalues, "values of the isosurfaces: A,B,...")
     ->delimiter(',')
     ->group(Look);
-  command
-    ->add_option("--levels", written.Levels, "how many isosurfaces, where --isovalues does not say")
+  command->add_option("--levels", written.Levels, "how many isosurfaces, where --isovalues does not say")
     ->check(NumberIn(1, 32, "1..32"))
     ->capture_default_str()
     ->group(Look);
-  command
-    ->add_option("--smooth", written.Smoothing, "iterations that smooth the surfaces of labels")
+  command->add_option("--smooth", written.Smoothing, "iterations that smooth the surfaces of labels")
     ->check(NumberIn(0, 200, "0..200"))
     ->capture_default_str()
     ->group(Look);
@@ -115,7 +113,9 @@ void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, 
     ->check(CLI::IsMember({ 1, 2, 4, 8 }))
     ->capture_default_str()
     ->group(Looking);
-  command->add_option("--background", written.Background, "background: #rrggbb or a name, or transparent: .png, .tif and .exr then hold the opacity")
+  command
+    ->add_option("--background", written.Background,
+      "background: #rrggbb or a name, or transparent: .png, .tif and .exr then hold the opacity")
     ->group(Looking);
   command->add_option("--azimuth", written.Azimuth, "degrees to go round the scene")
     ->check(NumberIn(-Infinity, Infinity, "degrees"))
@@ -141,8 +141,8 @@ void AddTechniqueOptions(CLI::App* command, Arguments& arguments)
   {
     for (const vtkTranslucencyOption& option : technique.Options)
     {
-      const auto known = std::find_if(flags.begin(), flags.end(),
-        [&option](const Flag& flag) { return flag.Option.Keyword == option.Keyword; });
+      const auto known = std::find_if(
+        flags.begin(), flags.end(), [&option](const Flag& flag) { return flag.Option.Keyword == option.Keyword; });
       if (known == flags.end())
       {
         flags.push_back({ technique.Name, option });
@@ -158,8 +158,7 @@ void AddTechniqueOptions(CLI::App* command, Arguments& arguments)
     const std::string keyword = flag.Option.Keyword;
     command
       ->add_option_function<std::string>(
-        FlagOf(flag.Option),
-        [&arguments, keyword](const std::string& value) { arguments.Settings[keyword] = value; },
+        FlagOf(flag.Option), [&arguments, keyword](const std::string& value) { arguments.Settings[keyword] = value; },
         flag.Option.Help + " [" + flag.Techniques + "]")
       ->type_name(flag.Option.Range())
       ->default_str(flag.Option.Format(flag.Option.Default))
@@ -201,18 +200,27 @@ void AddStorage(CLI::App& app, Written& written, Arguments& arguments)
   AddSceneOptions(storage, written, arguments, "a histogram (.json), a trace (.csv .trace), or a scene: ");
   const std::string designs = "Designs";
   const auto add = [storage, &designs](const char* flag, int& value, int most, const std::string& help)
-  { return storage->add_option(flag, value, help)->check(NumberIn(1, most, "1.." + std::to_string(most)))->group(designs); };
+  {
+    return storage->add_option(flag, value, help)
+      ->check(NumberIn(1, most, "1.." + std::to_string(most)))
+      ->group(designs);
+  };
   vtkStorageAccounting::Settings& settings = arguments.Storage;
   add("--section-length", settings.TSectionLength, 64, "fragments in a section of the T-buffer")->capture_default_str();
-  add("--m-section-length", settings.MSectionLength, 64, "fragments in a section of the M-buffer; by default the mean of the frame's pixels that hold any");
+  add("--m-section-length", settings.MSectionLength, 64,
+    "fragments in a section of the M-buffer; by default the mean of the frame's pixels that hold any");
   add("--address-bits", settings.Bits.Address, 64, "bits of an address; by default as few as the fullest frame needs");
-  add("--coordinate-bits", settings.Bits.Coordinate, 64, "bits of x, and of y, of a fragment in the R-buffer")->capture_default_str();
+  add("--coordinate-bits", settings.Bits.Coordinate, 64, "bits of x, and of y, of a fragment in the R-buffer")
+    ->capture_default_str();
   add("--depth-bits", settings.Bits.Depth, 64, "bits of a depth")->capture_default_str();
   add("--color-bits", settings.Bits.Color, 64, "bits of a colour with its opacity")->capture_default_str();
-  storage->add_option("-o,--output", arguments.Output, "a folder for table.txt, storage.json, bytes.png and accesses.png");
+  storage->add_option(
+    "-o,--output", arguments.Output, "a folder for table.txt, storage.json, bytes.png and accesses.png");
   storage->footer(
-    "Four designs are compared: a linked list a pixel; the T-buffer, lists of sections; the R-buffer, a FIFO that is read pass by pass; the M-buffer, a\n"
-    "section a pixel and more where it overflows. Traces and scenes also go through a simulator of each, which has to come to the same numbers.\n"
+    "Four designs are compared: a linked list a pixel; the T-buffer, lists of sections; the R-buffer, a FIFO that is "
+    "read pass by pass; the M-buffer, a\n"
+    "section a pixel and more where it overflows. Traces and scenes also go through a simulator of each, which has to "
+    "come to the same numbers.\n"
     "The R-buffer's takes long where pixels are deep: its time grows with the square of a pixel's fragments.\n"
     "Examples:\n"
     "  translucency storage quake4.json -o quake4          the figures of the T-buffer's paper\n"
@@ -226,38 +234,33 @@ void AddStorage(CLI::App& app, Written& written, Arguments& arguments)
 void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 {
   arguments.Frames = BenchmarkSettings();
-  auto* list = app.add_subcommand(
-    "list", "the techniques, their options, and whether this driver can run them");
+  auto* list = app.add_subcommand("list", "the techniques, their options, and whether this driver can run them");
   list->add_flag("--json", arguments.Json, "as JSON");
 
   auto* render = app.add_subcommand("render", "draw a picture by one technique");
   AddSceneOptions(render, written, arguments);
   AddTechnique(render, arguments);
-  render->add_option("-o,--output", arguments.Output, "the picture: " + PictureSuffixes())
-    ->required();
-  render->footer(
-    "Examples:\n"
-    "  translucency render frogtissue.mhd -o frog.png\n"
-    "  translucency render skin.stl bones.stl --opacity 0.3 --technique exact -o body.png\n"
-    "  translucency render --scene frog.json --technique adaptive --nodes 8 --size 1920x1080 -o "
-    "frog.exr");
+  render->add_option("-o,--output", arguments.Output, "the picture: " + PictureSuffixes())->required();
+  render->footer("Examples:\n"
+                 "  translucency render frogtissue.mhd -o frog.png\n"
+                 "  translucency render skin.stl bones.stl --opacity 0.3 --technique exact -o body.png\n"
+                 "  translucency render --scene frog.json --technique adaptive --nodes 8 --size 1920x1080 -o "
+                 "frog.exr");
 
-  auto* compare = app.add_subcommand(
-    "compare", "draw by several techniques; pictures, differences and costs in a page");
+  auto* compare =
+    app.add_subcommand("compare", "draw by several techniques; pictures, differences and costs in a page");
   AddSceneOptions(compare, written, arguments);
   AddTechniques(compare, arguments);
-  compare->add_option("--reference", arguments.Reference, "the technique that is right")
-    ->capture_default_str();
+  compare->add_option("--reference", arguments.Reference, "the technique that is right")->capture_default_str();
   AddFrameOptions(compare, arguments.Frames);
   compare
-    ->add_option("-o,--output", arguments.Output,
-      "a folder for index.html, comparison.json, table.txt and the pictures")
+    ->add_option(
+      "-o,--output", arguments.Output, "a folder for index.html, comparison.json, table.txt and the pictures")
     ->required();
-  compare->footer(
-    "blend is always drawn too: what the others cost is told as a multiple of it.\n"
-    "Example:\n"
-    "  translucency compare --scene frog.json --techniques exact,adaptive:nodes=8,vtk-oit -o frog\n"
-    "  then open frog/index.html in a browser");
+  compare->footer("blend is always drawn too: what the others cost is told as a multiple of it.\n"
+                  "Example:\n"
+                  "  translucency compare --scene frog.json --techniques exact,adaptive:nodes=8,vtk-oit -o frog\n"
+                  "  then open frog/index.html in a browser");
 
   auto* bench = app.add_subcommand("bench", "time techniques in turn, in one process");
   AddSceneOptions(bench, written, arguments);
@@ -269,13 +272,14 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
     "  translucency bench scene:rectangles:count=1200 --techniques exact,adaptive --frames 50 -o "
     "times.json");
 
-  auto* run = app.add_subcommand("run",
-    "run a program that uses VTK: where it asks for depth peeling, it gets another technique");
+  auto* run = app.add_subcommand(
+    "run", "run a program that uses VTK: where it asks for depth peeling, it gets another technique");
   AddTechnique(run, arguments);
   run->add_option("PROGRAM", arguments.Program, "the program and its arguments, behind --")->required()->expected(-1);
   run->footer(
     "Depth peeling is asked for by vtkRenderer::UseDepthPeelingOn, or by making a vtkDualDepthPeelingPass or a\n"
-    "vtkDepthPeelingPass. The program, in C++ or Python, stays as it is; it must use VTK " TRANSLUCENCY_VTK_VERSION ", else it draws as\n"
+    "vtkDepthPeelingPass. The program, in C++ or Python, stays as it is; it must use VTK " TRANSLUCENCY_VTK_VERSION
+    ", else it draws as\n"
     "it would have, after a message. Its exit status is that of this command.\n"
     "Examples:\n"
     "  translucency run -- python3 script.py\n"
@@ -286,14 +290,16 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 
   auto* trace = app.add_subcommand("trace", "write the translucent fragments of a scene, one by one");
   AddSceneOptions(trace, written, arguments);
-  trace->add_option("-o,--output", arguments.Output, "the trace: .csv (text) or .trace (24 bytes a fragment)")->required();
-  trace->footer(
-    "A .csv begins with the lines '# size WIDTHxHEIGHT' and 'frame,x,y,z,r,g,b,a': a line a fragment; x and y are pixels from the lower\n"
-    "left corner, z is the window depth, 0 to 1. Fragments come pixel by pixel, those of a pixel in the order of drawing.\n"
-    "'translucency storage' reads both.\n"
-    "Examples:\n"
-    "  translucency trace --scene frog.json --size 640x480 -o frog.csv\n"
-    "  translucency trace skin.stl bones.stl --opacity 0.3 -o body.trace");
+  trace->add_option("-o,--output", arguments.Output, "the trace: .csv (text) or .trace (24 bytes a fragment)")
+    ->required();
+  trace->footer("A .csv begins with the lines '# size WIDTHxHEIGHT' and 'frame,x,y,z,r,g,b,a': a line a fragment; x "
+                "and y are pixels from the lower\n"
+                "left corner, z is the window depth, 0 to 1. Fragments come pixel by pixel, those of a pixel in the "
+                "order of drawing.\n"
+                "'translucency storage' reads both.\n"
+                "Examples:\n"
+                "  translucency trace --scene frog.json --size 640x480 -o frog.csv\n"
+                "  translucency trace skin.stl bones.stl --opacity 0.3 -o body.trace");
 
   auto* schema = app.add_subcommand("schema", "print the JSON schema of scene files, or of histograms");
   schema->add_option("KIND", arguments.Schema, "scene, or histogram: what 'translucency storage' reads")
@@ -342,7 +348,8 @@ bool PutMeasured(const CLI::App& command, const Written& written, Arguments& arg
   }
   for (const CLI::Option* option : command.get_options())
   {
-    const bool scenes = option->get_group() == Look || option->get_group() == Looking || option->get_name() == "--scene";
+    const bool scenes =
+      option->get_group() == Look || option->get_group() == Looking || option->get_name() == "--scene";
     if (scenes && option->count() > 0)
     {
       throw Failure(alone + "no option of scenes, but there is " + option->get_name());
@@ -356,9 +363,9 @@ bool PutMeasured(const CLI::App& command, const Written& written, Arguments& arg
 
 void PutTogether(const CLI::App& command, const Written& written, Arguments& arguments)
 {
-  const std::map<std::string, Action> actions{ { "list", Action::List },
-    { "render", Action::Render }, { "compare", Action::Compare }, { "bench", Action::Bench },
-    { "run", Action::Run }, { "schema", Action::Schema }, { "storage", Action::Storage }, { "trace", Action::Trace } };
+  const std::map<std::string, Action> actions{ { "list", Action::List }, { "render", Action::Render },
+    { "compare", Action::Compare }, { "bench", Action::Bench }, { "run", Action::Run }, { "schema", Action::Schema },
+    { "storage", Action::Storage }, { "trace", Action::Trace } };
   arguments.Do = actions.at(command.get_name());
   if (arguments.Do == Action::List || arguments.Do == Action::Schema || arguments.Do == Action::Run)
   {
@@ -384,8 +391,7 @@ void PutTogether(const CLI::App& command, const Written& written, Arguments& arg
   }
   arguments.Title = given("--title") ? std::optional<std::string>(written.Title) : std::nullopt;
   arguments.Azimuth = given("--azimuth") ? std::optional<double>(written.Azimuth) : std::nullopt;
-  arguments.Elevation =
-    given("--elevation") ? std::optional<double>(written.Elevation) : std::nullopt;
+  arguments.Elevation = given("--elevation") ? std::optional<double>(written.Elevation) : std::nullopt;
   arguments.Zoom = given("--zoom") ? std::optional<double>(written.Zoom) : std::nullopt;
   if (given("--size"))
   {

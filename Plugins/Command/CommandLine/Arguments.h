@@ -4,8 +4,8 @@
 #ifndef Arguments_h
 #define Arguments_h
 
-#include "Techniques/Benchmark.h"
 #include "Scenes/Inputs.h"
+#include "Techniques/Benchmark.h"
 
 #include "vtkStorageAccounting.h"
 

@@ -3,17 +3,17 @@
 #include "Arguments.h"
 #include "Basics/Embedded.h"
 #include "Basics/Failure.h"
-#include "Study/HistogramFile.h"
 #include "Basics/OutputFiles.h"
-#include "Report/Page.h"
-#include "Program.h"
 #include "Basics/Progress.h"
+#include "Program.h"
+#include "Report/Page.h"
 #include "Report/Report.h"
 #include "Scenes/SceneFile.h"
-#include "Techniques/Stage.h"
+#include "Study/HistogramFile.h"
 #include "Study/StorageReport.h"
-#include "TechniqueList.h"
 #include "Study/Trace.h"
+#include "TechniqueList.h"
+#include "Techniques/Stage.h"
 
 #include <algorithm>
 #include <cctype>
@@ -74,8 +74,8 @@ std::vector<TechniqueChoice> ChooseTechniques(
   std::vector<TechniqueChoice> choices;
   const auto isThere = [&choices](const std::string& label)
   {
-    return std::any_of(choices.begin(), choices.end(),
-      [&label](const TechniqueChoice& choice) { return choice.Label == label; });
+    return std::any_of(
+      choices.begin(), choices.end(), [&label](const TechniqueChoice& choice) { return choice.Label == label; });
   };
   for (const std::string& text : asked)
   {
@@ -86,8 +86,7 @@ std::vector<TechniqueChoice> ChooseTechniques(
     }
     choices.push_back(choice);
   }
-  for (const TechniqueInfo& technique :
-    asked.empty() ? ListTechniques() : std::vector<TechniqueInfo>())
+  for (const TechniqueInfo& technique : asked.empty() ? ListTechniques() : std::vector<TechniqueInfo>())
   {
     choices.push_back(ChooseTechnique(technique.Name));
   }
@@ -119,8 +118,7 @@ std::string FileNameOf(const TechniqueChoice& choice)
 {
   std::string name = choice.Label;
   std::replace_if(
-    name.begin(), name.end(),
-    [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '_'; }, '-');
+    name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '_'; }, '-');
   return name;
 }
 
@@ -132,8 +130,8 @@ std::string Contents(const fs::path& file)
   return contents.str();
 }
 
-Report StartReport(const Task& task, const std::vector<TechniqueChoice>& techniques,
-  const BenchmarkSettings& settings, Stage& stage)
+Report StartReport(
+  const Task& task, const std::vector<TechniqueChoice>& techniques, const BenchmarkSettings& settings, Stage& stage)
 {
   Report report;
   report.Title = task.Title;
@@ -157,8 +155,7 @@ Report StartReport(const Task& task, const std::vector<TechniqueChoice>& techniq
   return report;
 }
 
-std::vector<int> AddAll(
-  const Scene& scene, const std::vector<TechniqueChoice>& techniques, Stage& stage)
+std::vector<int> AddAll(const Scene& scene, const std::vector<TechniqueChoice>& techniques, Stage& stage)
 {
   std::vector<int> numbers;
   for (const TechniqueChoice& technique : techniques)
@@ -168,8 +165,8 @@ std::vector<int> AddAll(
   return numbers;
 }
 
-void MeasureRows(const std::vector<TechniqueChoice>& techniques, const std::vector<int>& numbers,
-  Stage& stage, Report& report)
+void MeasureRows(
+  const std::vector<TechniqueChoice>& techniques, const std::vector<int>& numbers, Stage& stage, Report& report)
 {
   const auto timings = Measure(stage, techniques, numbers, report.Settings);
   for (std::size_t i = 0; i < timings.size(); ++i)
@@ -181,8 +178,7 @@ void MeasureRows(const std::vector<TechniqueChoice>& techniques, const std::vect
 // The one technique that was asked for, with the options given by flags.
 TechniqueChoice ChooseTechniqueOf(const Arguments& arguments)
 {
-  TechniqueChoice technique =
-    ChooseTechnique(arguments.Techniques.empty() ? "adaptive" : arguments.Techniques.front());
+  TechniqueChoice technique = ChooseTechnique(arguments.Techniques.empty() ? "adaptive" : arguments.Techniques.front());
   for (const auto& setting : arguments.Settings)
   {
     AddSetting(technique, setting.first, setting.second);
@@ -209,8 +205,8 @@ void RunRender(const Arguments& arguments)
 }
 
 // Draws each technique's picture and writes it and its difference to the reference.
-std::map<std::string, std::string> DrawPictures(const std::vector<int>& numbers,
-  std::size_t reference, const fs::path& folder, Stage& stage, OutputFiles& files, Report& report)
+std::map<std::string, std::string> DrawPictures(const std::vector<int>& numbers, std::size_t reference,
+  const fs::path& folder, Stage& stage, OutputFiles& files, Report& report)
 {
   std::map<std::string, std::string> contents;
   const auto write = [&](const Picture& picture, const std::string& name)

@@ -42,8 +42,7 @@ bool DisplayOpens()
 std::string DisplayName()
 {
   const char* name = std::getenv("DISPLAY");
-  return name ? "display '" + std::string(name) + "' can't be opened"
-              : "there is no X display (DISPLAY is not set)";
+  return name ? "display '" + std::string(name) + "' can't be opened" : "there is no X display (DISPLAY is not set)";
 }
 }
 
@@ -63,8 +62,8 @@ void EnsureDisplay(char** arguments)
     std::vector<char> self(4096, '\0');
     if (readlink("/proc/self/exe", self.data(), self.size() - 1) > 0)
     {
-      std::vector<char*> command{ const_cast<char*>(wrapper.c_str()),
-        const_cast<char*>(automatic.c_str()), self.data() };
+      std::vector<char*> command{ const_cast<char*>(wrapper.c_str()), const_cast<char*>(automatic.c_str()),
+        self.data() };
       for (char** argument = arguments + 1; *argument; ++argument)
       {
         command.push_back(*argument);
@@ -73,6 +72,6 @@ void EnsureDisplay(char** arguments)
       execvp(command[0], command.data()); // returns only if it failed
     }
   }
-  throw Failure(DisplayName() +
-    ", expected one, or the program xvfb-run (Debian: apt-get install xvfb xauth) to draw without");
+  throw Failure(
+    DisplayName() + ", expected one, or the program xvfb-run (Debian: apt-get install xvfb xauth) to draw without");
 }

@@ -18,17 +18,14 @@ namespace fs = std::filesystem;
 // Beside the library, whichever place the installation was moved to.
 std::string FindPreload()
 {
-  const fs::path file =
-    (fs::read_symlink("/proc/self/exe").parent_path() / TRANSLUCENCY_PRELOAD).lexically_normal();
+  const fs::path file = (fs::read_symlink("/proc/self/exe").parent_path() / TRANSLUCENCY_PRELOAD).lexically_normal();
   if (!fs::exists(file))
   {
-    throw Failure(
-      "'" + file.string() + "' is not there, expected the library that programs are run with");
+    throw Failure("'" + file.string() + "' is not there, expected the library that programs are run with");
   }
   if (file.string().find_first_of(" :") != std::string::npos)
   {
-    throw Failure(
-      "'" + file.string() + "' can't be preloaded, expected a path without spaces and colons");
+    throw Failure("'" + file.string() + "' can't be preloaded, expected a path without spaces and colons");
   }
   return file.string();
 }
@@ -37,8 +34,7 @@ std::string FindPreload()
 //------------------------------------------------------------------------------
 void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>& program)
 {
-  nlohmann::json wanted = { { "technique", technique.Name },
-    { "options", nlohmann::json::object() } };
+  nlohmann::json wanted = { { "technique", technique.Name }, { "options", nlohmann::json::object() } };
   for (const auto& setting : technique.Settings)
   {
     wanted["options"][setting.first] = setting.second;
@@ -54,6 +50,5 @@ void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>
   }
   words.push_back(nullptr);
   execvp(words[0], words.data()); // returns only if it failed
-  throw Failure("'" + program[0] + "' can't be run: " + std::strerror(errno) +
-    "; expected a program, behind --");
+  throw Failure("'" + program[0] + "' can't be run: " + std::strerror(errno) + "; expected a program, behind --");
 }

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// Becomes the program, with the drop-in preloaded (Plugins/DropIn). Returns only by throwing Failure, if there is no such program.
-[[noreturn]] void RunProgram(
-  const TechniqueChoice& technique, const std::vector<std::string>& program);
+/// Becomes the program, with the drop-in preloaded (Plugins/DropIn). Returns only by throwing Failure, if there is no
+/// such program.
+[[noreturn]] void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>& program);
 
 #endif

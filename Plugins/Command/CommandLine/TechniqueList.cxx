@@ -22,9 +22,7 @@ Json OptionToJson(const vtkTranslucencyOption& option)
   json["keyword"] = option.Keyword;
   json["flag"] = FlagOf(option);
   json["property"] = option.Name;
-  json["type"] = option.Type == Kind::Integer ? "integer"
-    : option.Type == Kind::Real               ? "real"
-                                              : "choice";
+  json["type"] = option.Type == Kind::Integer ? "integer" : option.Type == Kind::Real ? "real" : "choice";
   json["default"] = option.Format(option.Default);
   json["range"] = option.Range();
   if (option.Type == Kind::Choice)
@@ -87,8 +85,8 @@ std::string TechniqueListText(bool json)
     }
     for (const vtkTranslucencyOption& option : technique.Options)
     {
-      out << "    " << FlagOf(option) << " (" << option.Range() << "; default "
-          << option.Format(option.Default) << ")\n        " << option.Help << "\n";
+      out << "    " << FlagOf(option) << " (" << option.Range() << "; default " << option.Format(option.Default)
+          << ")\n        " << option.Help << "\n";
     }
   }
   return out.str();

@@ -2,11 +2,11 @@
  * translucency: draws, compares and times the techniques of this library from the command line.
  */
 #include "Arguments.h"
-#include "Commands.h"
-#include "Display.h"
 #include "Basics/Failure.h"
 #include "Basics/Messages.h"
 #include "Basics/Progress.h"
+#include "Commands.h"
+#include "Display.h"
 
 #include <cstdlib>
 #include <iostream>

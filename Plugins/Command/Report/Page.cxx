@@ -33,9 +33,7 @@ std::string Verdict(const Difference& difference)
 std::string DataUri(const std::map<std::string, std::string>& pictures, const std::string& file)
 {
   const auto found = pictures.find(file);
-  return found == pictures.end()
-    ? ""
-    : "data:image/png;base64," + OIIO::Strutil::base64_encode(found->second);
+  return found == pictures.end() ? "" : "data:image/png;base64," + OIIO::Strutil::base64_encode(found->second);
 }
 
 void SetTimes(const ReportRow& row, double slowest, data& entry)
@@ -70,10 +68,7 @@ void SetDifference(const ReportRow& row, data& entry)
   entry.set("isReference", !difference);
   entry.set("verdict", difference ? Verdict(*difference) : "the reference");
   entry.set("rmse", difference ? Fixed(100 * difference->Rmse, 3) + " %" : "-");
-  entry.set("psnr",
-    !difference          ? "-"
-      : difference->Psnr ? Fixed(*difference->Psnr, 1) + " dB"
-                         : "same");
+  entry.set("psnr", !difference ? "-" : difference->Psnr ? Fixed(*difference->Psnr, 1) + " dB" : "same");
   entry.set("largest", difference ? std::to_string(difference->Largest) : "-");
 }
 }

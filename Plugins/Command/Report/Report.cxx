@@ -30,8 +30,7 @@ std::vector<Column> TimeColumns()
       [](const ReportRow& row)
       { return Fixed(row.Times.LowerQuartile, 1) + ".." + Fixed(row.Times.UpperQuartile, 1); } },
     { "x blend",
-      [](const ReportRow& row)
-      { return row.Times.RatioToBlend ? Fixed(*row.Times.RatioToBlend, 2) : None; } },
+      [](const ReportRow& row) { return row.Times.RatioToBlend ? Fixed(*row.Times.RatioToBlend, 2) : None; } },
     { "gather", [](const ReportRow& row) { return StageCell(row, &StageTimes::Gather); } },
     { "resolve", [](const ReportRow& row) { return StageCell(row, &StageTimes::Resolve); } },
   };
@@ -42,13 +41,9 @@ std::vector<Column> CountColumns()
   const auto known = [](const ReportRow& row, const std::string& text)
   { return row.Times.Statistics.Known ? text : None; };
   return {
-    { "fragments",
-      [=](const ReportRow& row) { return known(row, Grouped(row.Times.Statistics.Fragments)); } },
-    { "deepest",
-      [=](const ReportRow& row)
-      { return known(row, Grouped(row.Times.Statistics.DeepestPixel)); } },
-    { "MiB",
-      [=](const ReportRow& row) { return known(row, Fixed(row.Times.Statistics.Mebibytes, 1)); } },
+    { "fragments", [=](const ReportRow& row) { return known(row, Grouped(row.Times.Statistics.Fragments)); } },
+    { "deepest", [=](const ReportRow& row) { return known(row, Grouped(row.Times.Statistics.DeepestPixel)); } },
+    { "MiB", [=](const ReportRow& row) { return known(row, Fixed(row.Times.Statistics.Mebibytes, 1)); } },
     { "packed MiB",
       [](const ReportRow& row) { return row.Times.Storage ? Fixed(row.Times.Storage->PackedMebibytes, 1) : None; } },
     { "accesses", [](const ReportRow& row) { return row.Times.Storage ? Grouped(row.Times.Storage->Total) : None; } },
@@ -58,14 +53,10 @@ std::vector<Column> CountColumns()
 std::vector<Column> DifferenceColumns()
 {
   const auto cell = [](const std::function<std::string(const Difference&)>& format)
-  {
-    return [format](const ReportRow& row)
-    { return row.ToReference ? format(*row.ToReference) : None; };
-  };
+  { return [format](const ReportRow& row) { return row.ToReference ? format(*row.ToReference) : None; }; };
   return {
     { "RMSE %", cell([](const Difference& d) { return Fixed(100 * d.Rmse, 3); }) },
-    { "PSNR dB",
-      cell([](const Difference& d) { return d.Psnr ? Fixed(*d.Psnr, 1) : std::string("same"); }) },
+    { "PSNR dB", cell([](const Difference& d) { return d.Psnr ? Fixed(*d.Psnr, 1) : std::string("same"); }) },
     { "max/255", cell([](const Difference& d) { return std::to_string(d.Largest); }) },
   };
 }
@@ -153,8 +144,7 @@ std::string Fixed(double number, int digits)
 std::string Grouped(long long number)
 {
   std::string digits = std::to_string(number);
-  for (int position = static_cast<int>(digits.size()) - 3; position > (number < 0 ? 1 : 0);
-       position -= 3)
+  for (int position = static_cast<int>(digits.size()) - 3; position > (number < 0 ? 1 : 0); position -= 3)
   {
     digits.insert(position, ",");
   }
@@ -179,11 +169,10 @@ std::string ToText(const Report& report)
 
   std::ostringstream out;
   out << report.Title << ", " << report.Size[0] << "x" << report.Size[1]
-      << (report.Samples > 1 ? " of " + std::to_string(report.Samples) + " samples" : "") << ", "
-      << report.Actors << " actors, " << Grouped(report.Triangles) << " triangles, "
-      << report.Driver << "\n"
-      << "times: medians of " << report.Settings.Frames << " frames after "
-      << report.Settings.Warmup << ", techniques in turn\n";
+      << (report.Samples > 1 ? " of " + std::to_string(report.Samples) + " samples" : "") << ", " << report.Actors
+      << " actors, " << Grouped(report.Triangles) << " triangles, " << report.Driver << "\n"
+      << "times: medians of " << report.Settings.Frames << " frames after " << report.Settings.Warmup
+      << ", techniques in turn\n";
   if (!report.Reference.empty())
   {
     out << "differences: to " << report.Reference << "\n";
@@ -202,8 +191,8 @@ std::string ToText(const Report& report)
   {
     for (std::size_t i = 0; i < columns.size(); ++i)
     {
-      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ")
-          << std::setw(static_cast<int>(widths[i])) << text(columns[i]);
+      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ") << std::setw(static_cast<int>(widths[i]))
+          << text(columns[i]);
     }
     out << "\n";
   };

@@ -1,8 +1,8 @@
 #include "BuiltInScenes.h"
 
 #include "Basics/Failure.h"
-#include "Inputs.h"
 #include "Basics/Specification.h"
+#include "Inputs.h"
 
 #include "vtkCellArray.h"
 #include "vtkMapper.h"
@@ -63,8 +63,7 @@ public:
     {
       const bool right = corner == 1 || corner == 2;
       const bool top = corner >= 2;
-      corners[corner] =
-        this->Points->InsertNextPoint(x + (right ? width : 0), y + (top ? height : 0), z);
+      corners[corner] = this->Points->InsertNextPoint(x + (right ? width : 0), y + (top ? height : 0), z);
       this->Colors->InsertNextTuple(color);
     }
     this->Cells->InsertNextCell(4, corners);
@@ -132,8 +131,8 @@ struct BuiltInScene
 };
 
 const BuiltInScene BuiltInScenes[] = {
-  { "scene:spheres", "overlapping spheres of 20,000 triangles, opacity 0.3 (count=40:seed=1)",
-    { "count", "seed" }, AddSpheres },
+  { "scene:spheres", "overlapping spheres of 20,000 triangles, opacity 0.3 (count=40:seed=1)", { "count", "seed" },
+    AddSpheres },
   { "scene:rectangles",
     "overlapping unlit rectangles, opacity 0.02 to 0.3, parallel projection "
     "(count=300:meshes=300:seed=1)",

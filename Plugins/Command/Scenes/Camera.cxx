@@ -83,8 +83,7 @@ void Pan(double right, double up, vtkCamera* camera)
 void Fit(const Scene& scene, double aspect, vtkCamera* camera)
 {
   Extent extent = Project(scene, camera);
-  for (int step = 0; step < 2 && !scene.Eye.Target;
-       ++step) // perspective: the first step is not quite right
+  for (int step = 0; step < 2 && !scene.Eye.Target; ++step) // perspective: the first step is not quite right
   {
     const double distance = camera->GetDistance();
     Pan(extent.Center(0) * distance, extent.Center(1) * distance, camera);
@@ -126,8 +125,8 @@ void SetUpCamera(const Scene& scene, double aspect, vtkCamera* camera)
   }
   else
   {
-    camera->SetPosition(target[0] - distance * direction[0], target[1] - distance * direction[1],
-      target[2] - distance * direction[2]);
+    camera->SetPosition(
+      target[0] - distance * direction[0], target[1] - distance * direction[1], target[2] - distance * direction[2]);
   }
   camera->SetViewUp(view.Up.value_or(Vector3{ { 0, 1, 0 } }).data());
   camera->Azimuth(view.Azimuth);

@@ -1,10 +1,10 @@
 #include "Inputs.h"
 
-#include "BuiltInScenes.h"
 #include "Basics/Failure.h"
+#include "Basics/Progress.h"
+#include "BuiltInScenes.h"
 #include "Isosurfaces.h"
 #include "LabelVolume.h"
-#include "Basics/Progress.h"
 #include "Readers.h"
 #include "Streamtubes.h"
 
@@ -28,8 +28,7 @@ constexpr double HullOpacity = 0.12; // round the isosurfaces inside it
 // The surface as it is read, or, where that has no normals, with such as keep edges sharp.
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
 {
-  if (surface->GetPointData()->GetNormals() ||
-    surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+  if (surface->GetPointData()->GetNormals() || surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
   {
     return surface;
   }
@@ -56,9 +55,8 @@ void CheckDimensions(const Input& input, vtkImageData* volume)
   const int* dimensions = volume->GetDimensions();
   if (dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2)
   {
-    throw Failure(input.Source + ": is " + std::to_string(dimensions[0]) + "x" +
-      std::to_string(dimensions[1]) + "x" + std::to_string(dimensions[2]) +
-      " points, expected a volume of at least 2x2x2");
+    throw Failure(input.Source + ": is " + std::to_string(dimensions[0]) + "x" + std::to_string(dimensions[1]) + "x" +
+      std::to_string(dimensions[2]) + " points, expected a volume of at least 2x2x2");
   }
 }
 
@@ -73,8 +71,8 @@ void AddVolume(const Input& input, vtkImageData* volume, Scene& scene)
   }
   else if (AddIsosurfaces(input, volume, scene) == 0)
   {
-    throw Failure(input.Source +
-      ": has no surface to show, expected point scalars of one component with two values or more");
+    throw Failure(
+      input.Source + ": has no surface to show, expected point scalars of one component with two values or more");
   }
 }
 
@@ -95,11 +93,10 @@ void AddGrid(const Input& input, vtkDataSet* grid, Scene& scene)
 
 // Files with materials keep them, save what the input sets; where all is opaque, it becomes as translucent as other
 // meshes.
-void AddActors(
-  const Input& input, const std::vector<vtkSmartPointer<vtkActor>>& actors, Scene& scene)
+void AddActors(const Input& input, const std::vector<vtkSmartPointer<vtkActor>>& actors, Scene& scene)
 {
-  const bool opaque = std::none_of(actors.begin(), actors.end(),
-    [](vtkActor* actor) { return actor->HasTranslucentPolygonalGeometry(); });
+  const bool opaque = std::none_of(
+    actors.begin(), actors.end(), [](vtkActor* actor) { return actor->HasTranslucentPolygonalGeometry(); });
   for (const auto& actor : actors)
   {
     Part part;

@@ -1,7 +1,7 @@
 #include "Isosurfaces.h"
 
-#include "Inputs.h"
 #include "Basics/Progress.h"
+#include "Inputs.h"
 
 #include "vtkContourFilter.h"
 #include "vtkDataArray.h"
@@ -80,8 +80,7 @@ vtkSmartPointer<vtkPolyData> Extract(vtkDataSet* data, vtkDataArray* scalars, do
   {
     vtkNew<vtkFlyingEdges3D> surface;
     surface->SetInputData(volume);
-    surface->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars->GetName());
+    surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars->GetName());
     surface->SetValue(0, value);
     surface->ComputeScalarsOff();
     surface->Update();
@@ -89,8 +88,7 @@ vtkSmartPointer<vtkPolyData> Extract(vtkDataSet* data, vtkDataArray* scalars, do
   }
   vtkNew<vtkContourFilter> surface;
   surface->SetInputData(data);
-  surface->SetInputArrayToProcess(
-    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars->GetName());
+  surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, scalars->GetName());
   surface->SetValue(0, value);
   surface->ComputeScalarsOff();
   surface->ComputeNormalsOff();
@@ -105,8 +103,8 @@ vtkSmartPointer<vtkPolyData> Extract(vtkDataSet* data, vtkDataArray* scalars, do
 // From cool and thin outside to warm and thick inside.
 Color ShellColor(double depth)
 {
-  const Color shells[] = { { { 0.27, 0.45, 0.77 } }, { { 0.25, 0.68, 0.67 } },
-    { { 0.93, 0.77, 0.32 } }, { { 0.84, 0.27, 0.22 } } };
+  const Color shells[] = { { { 0.27, 0.45, 0.77 } }, { { 0.25, 0.68, 0.67 } }, { { 0.93, 0.77, 0.32 } },
+    { { 0.84, 0.27, 0.22 } } };
   const double position = 3 * depth;
   const int left = std::min(static_cast<int>(position), 2);
   Color color;
@@ -130,8 +128,7 @@ int AddIsosurfaces(const Input& input, vtkDataSet* data, Scene& scene)
   {
     scalars->SetName("scalars"); // filters find an array by its name
   }
-  std::vector<double> values =
-    input.Isovalues.empty() ? ChooseValues(scalars, input.Levels) : input.Isovalues;
+  std::vector<double> values = input.Isovalues.empty() ? ChooseValues(scalars, input.Levels) : input.Isovalues;
   std::sort(values.begin(), values.end());
 
   const std::string file = std::filesystem::path(input.Source).filename().string();

@@ -1,8 +1,8 @@
 #include "LabelVolume.h"
 
 #include "Basics/Failure.h"
-#include "Inputs.h"
 #include "Basics/Progress.h"
+#include "Inputs.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -27,8 +27,7 @@ constexpr std::size_t MostLabels = 64;
 
 struct Box
 {
-  std::array<int, 6> Extent{ { VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX,
-    VTK_INT_MIN } };
+  std::array<int, 6> Extent{ { VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX, VTK_INT_MIN } };
 
   void Add(int x, int y, int z)
   {
@@ -100,8 +99,7 @@ Boxes GetBoxes(vtkImageData* volume)
 }
 
 // The surface of one label: closed also where the label touches the volume's border.
-vtkSmartPointer<vtkPolyData> ExtractLabel(
-  vtkImageData* volume, long long label, const Box& box, int smoothing)
+vtkSmartPointer<vtkPolyData> ExtractLabel(vtkImageData* volume, long long label, const Box& box, int smoothing)
 {
   int extent[6];
   for (int i = 0; i < 6; ++i)
@@ -148,9 +146,9 @@ Boxes Select(const Input& input, const Boxes& boxes)
     const auto found = boxes.find(label);
     if (found == boxes.end() || label == 0)
     {
-      throw Failure(input.Source + ": has no label " + std::to_string(label) +
-        ", expected one between " + std::to_string(boxes.begin()->first) + " and " +
-        std::to_string(boxes.rbegin()->first) + " other than 0, the background");
+      throw Failure(input.Source + ": has no label " + std::to_string(label) + ", expected one between " +
+        std::to_string(boxes.begin()->first) + " and " + std::to_string(boxes.rbegin()->first) +
+        " other than 0, the background");
     }
     selected.insert(*found);
   }
@@ -198,11 +196,9 @@ void AddLabels(const Input& input, vtkImageData* volume, Scene& scene)
     const LabelStyle style = named != input.Labels.end() ? named->second : LabelStyle();
     const std::string name = style.Name.empty() ? "label " + std::to_string(label) : style.Name;
     progress.Step(name);
-    Part part =
-      MakePart(input.Source + ", " + name, ExtractLabel(volume, label, box, input.Smoothing));
+    Part part = MakePart(input.Source + ", " + name, ExtractLabel(volume, label, box, input.Smoothing));
     const Color color = style.Tint ? *style.Tint : input.Tint.value_or(DistinctColor(index));
-    SetLook(part, color,
-      style.Opacity ? *style.Opacity : input.Opacity.value_or(DefaultOpacity(box, largest)),
+    SetLook(part, color, style.Opacity ? *style.Opacity : input.Opacity.value_or(DefaultOpacity(box, largest)),
       style.Transmission ? style.Transmission : input.Transmission);
     scene.Parts.push_back(part);
     ++index;

@@ -96,8 +96,8 @@ FileContents ReadTriangles(const std::string& file)
   const std::uintmax_t size = std::filesystem::file_size(file);
   if (!text && size < expected)
   {
-    throw Failure(file + ": has " + std::to_string(size) + " bytes, expected " +
-      std::to_string(expected) + " for its " + std::to_string(count) + " triangles");
+    throw Failure(file + ": has " + std::to_string(size) + " bytes, expected " + std::to_string(expected) +
+      " for its " + std::to_string(count) + " triangles");
   }
   return ReadData<vtkSTLReader>(file);
 }
@@ -149,8 +149,8 @@ void CheckCells(const std::string& file, vtkCellArray* cells, vtkIdType points)
   if (range[0] < 0 || range[1] >= static_cast<double>(points))
   {
     const auto wrong = static_cast<long long>(range[0] < 0 ? range[0] : range[1]);
-    throw Failure(file + ": a cell has point " + std::to_string(wrong) + ", expected 0 to " +
-      std::to_string(points - 1));
+    throw Failure(
+      file + ": a cell has point " + std::to_string(wrong) + ", expected 0 to " + std::to_string(points - 1));
   }
 }
 
@@ -171,8 +171,7 @@ void CheckData(const std::string& file, vtkDataSet* data)
   const vtkIdType points = data->GetNumberOfPoints();
   if (auto* surface = vtkPolyData::SafeDownCast(data))
   {
-    for (vtkCellArray* cells :
-      { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+    for (vtkCellArray* cells : { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
     {
       CheckCells(file, cells, points);
       CheckSizes(file, cells);
@@ -230,8 +229,7 @@ FileContents ReadFile(const std::string& file)
   CheckFile(file);
   Messages::Get()->ThrowError("before " + file);
   const FileContents contents = ReadGuarded(format, file);
-  const bool empty =
-    contents.Actors.empty() && (!contents.Data || contents.Data->GetNumberOfPoints() == 0);
+  const bool empty = contents.Actors.empty() && (!contents.Data || contents.Data->GetNumberOfPoints() == 0);
   if (empty)
   {
     throw Failure(file + ": has no cells, expected at least one");

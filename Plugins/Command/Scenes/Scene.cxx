@@ -42,8 +42,8 @@ void CheckSurface(const std::string& name, vtkPolyData* surface)
     {
       if (!std::isfinite(point[axis]))
       {
-        throw Failure(name + ": coordinate " + "xyz"[axis] + " of point " + std::to_string(i) +
-          " is " + std::to_string(point[axis]) + ", expected a finite number");
+        throw Failure(name + ": coordinate " + "xyz"[axis] + " of point " + std::to_string(i) + " is " +
+          std::to_string(point[axis]) + ", expected a finite number");
       }
     }
   }
@@ -83,8 +83,7 @@ long long CountTriangles(const Scene& scene)
   long long triangles = 0;
   for (const Part& part : scene.Parts)
   {
-    triangles +=
-      CountTriangles(vtkPolyData::SafeDownCast(part.Actor->GetMapper()->GetInputDataObject(0, 0)));
+    triangles += CountTriangles(vtkPolyData::SafeDownCast(part.Actor->GetMapper()->GetInputDataObject(0, 0)));
   }
   return triangles;
 }
@@ -105,8 +104,7 @@ Color ParseColor(const std::string& what, const std::string& text)
   }
   else
   {
-    throw Failure(what + " is '" + text +
-      "', expected #rrggbb or the name of a colour, such as white or steelblue");
+    throw Failure(what + " is '" + text + "', expected #rrggbb or the name of a colour, such as white or steelblue");
   }
   return { { found.GetRed() / 255.0, found.GetGreen() / 255.0, found.GetBlue() / 255.0 } };
 }

@@ -105,8 +105,7 @@ private:
   }
 
   template <typename Value>
-  static void Set(const Json& json, const std::string& key, std::optional<Value>& value,
-    Value (*read)(const Json&))
+  static void Set(const Json& json, const std::string& key, std::optional<Value>& value, Value (*read)(const Json&))
   {
     if (json.contains(key))
     {

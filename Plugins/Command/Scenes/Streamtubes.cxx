@@ -1,8 +1,8 @@
 #include "Streamtubes.h"
 
 #include "Basics/Failure.h"
-#include "Inputs.h"
 #include "Basics/Progress.h"
+#include "Inputs.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -40,8 +40,7 @@ vtkDataArray* FindVectors(vtkDataSet* data)
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = arrays->GetArray(i);
-    const bool real =
-      array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+    const bool real = array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
     if (real && array->GetNumberOfComponents() == 3 && array != arrays->GetNormals())
     {
       return array;
@@ -61,15 +60,14 @@ std::vector<double> GetSpeeds(const std::string& source, vtkDataArray* vectors)
     speeds[i] = std::hypot(std::hypot(vector[0], vector[1]), vector[2]);
     if (!std::isfinite(speeds[i]))
     {
-      throw Failure(source + ": the length of vector " + std::to_string(i) + " is " +
-        std::to_string(speeds[i]) + ", expected a finite number");
+      throw Failure(source + ": the length of vector " + std::to_string(i) + " is " + std::to_string(speeds[i]) +
+        ", expected a finite number");
     }
   }
   return speeds;
 }
 
-vtkSmartPointer<vtkPolyData> ChooseSeeds(
-  vtkDataSet* data, const std::vector<double>& speeds, double least, int most)
+vtkSmartPointer<vtkPolyData> ChooseSeeds(vtkDataSet* data, const std::vector<double>& speeds, double least, int most)
 {
   std::vector<vtkIdType> fast;
   for (std::size_t i = 0; i < speeds.size(); ++i)
@@ -106,7 +104,8 @@ vtkSmartPointer<vtkPolyData> JoinAtSeeds(vtkPolyData* traced, vtkIdType seeds)
     line.insert(line.end(), half->begin(), half->end());
   }
 
-  const auto coincide = [traced](vtkIdType a, vtkIdType b) {
+  const auto coincide = [traced](vtkIdType a, vtkIdType b)
+  {
     double first[3];
     double second[3];
     traced->GetPoint(a, first);
@@ -128,8 +127,8 @@ vtkSmartPointer<vtkPolyData> JoinAtSeeds(vtkPolyData* traced, vtkIdType seeds)
   return streamlines;
 }
 
-vtkSmartPointer<vtkPolyData> Trace(vtkDataSet* data, const char* vectors, vtkPolyData* seeds,
-  double leastSpeed, double mostLength)
+vtkSmartPointer<vtkPolyData> Trace(
+  vtkDataSet* data, const char* vectors, vtkPolyData* seeds, double leastSpeed, double mostLength)
 {
   vtkNew<vtkStreamTracer> tracer;
   tracer->SetInputData(data);
@@ -154,8 +153,8 @@ void AddStreamtubes(const Input& input, vtkDataSet* data, Scene& scene)
   vtkDataArray* vectors = data ? FindVectors(data) : nullptr;
   if (!vectors)
   {
-    throw Failure(input.Source +
-      ": has no vectors for streamtubes, expected a point array of three floating-point components");
+    throw Failure(
+      input.Source + ": has no vectors for streamtubes, expected a point array of three floating-point components");
   }
   if (!vectors->GetName())
   {
@@ -172,12 +171,12 @@ void AddStreamtubes(const Input& input, vtkDataSet* data, Scene& scene)
   }
   const double least = wanted.Speed * largest;
   const double diagonal = data->GetLength();
-  const auto streamlines = Trace(data, vectors->GetName(),
-    ChooseSeeds(data, speeds, least, wanted.Seeds), least, wanted.Length.value_or(diagonal));
+  const auto streamlines = Trace(
+    data, vectors->GetName(), ChooseSeeds(data, speeds, least, wanted.Seeds), least, wanted.Length.value_or(diagonal));
   if (streamlines->GetNumberOfLines() == 0)
   {
-    throw Failure(input.Source +
-      ": has no streamline, expected vectors that stay inside the data for a part of a cell");
+    throw Failure(
+      input.Source + ": has no streamline, expected vectors that stay inside the data for a part of a cell");
   }
 
   vtkNew<vtkTubeFilter> tubes;

@@ -43,7 +43,8 @@ vtkSmartPointer<vtkTable> MakeTable(const StorageReport& report, StorageChart ch
     for (const StorageFrame& frame : report.Frames)
     {
       const vtkStorageAccounting::Cost& cost = frame.Costs[design];
-      column->InsertNextValue(static_cast<float>(chart == StorageChart::Bytes ? cost.Bytes / (1024 * 1024) : static_cast<double>(cost.Count.GetTotal()) / 1e6));
+      column->InsertNextValue(static_cast<float>(
+        chart == StorageChart::Bytes ? cost.Bytes / (1024 * 1024) : static_cast<double>(cost.Count.GetTotal()) / 1e6));
     }
     table->AddColumn(column);
   }
@@ -99,7 +100,8 @@ vtkSmartPointer<vtkChartXY> MakeChart(const StorageReport& report, StorageChart 
 }
 
 //------------------------------------------------------------------------------
-void DrawChart(const StorageReport& report, StorageChart chart, const std::filesystem::path& file, const std::string& name)
+void DrawChart(
+  const StorageReport& report, StorageChart chart, const std::filesystem::path& file, const std::string& name)
 {
   vtkNew<vtkContextView> view;
   vtkRenderWindow* window = view->GetRenderWindow();

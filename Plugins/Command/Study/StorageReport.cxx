@@ -19,14 +19,15 @@ void CheckSame(const std::string& where, const Accounting::Cost& simulated, cons
   const auto numbers = [](const Accounting::Cost& cost)
   {
     const Accounting::Accesses& count = cost.Count;
-    return std::array<double, 8>{ { static_cast<double>(cost.Fragments), static_cast<double>(cost.Sections), cost.Bytes, static_cast<double>(count.Stores),
-      static_cast<double>(count.Reads), static_cast<double>(count.Table), static_cast<double>(count.SecondDepth),
-      static_cast<double>(count.FrameBuffer) } };
+    return std::array<double, 8>{ { static_cast<double>(cost.Fragments), static_cast<double>(cost.Sections), cost.Bytes,
+      static_cast<double>(count.Stores), static_cast<double>(count.Reads), static_cast<double>(count.Table),
+      static_cast<double>(count.SecondDepth), static_cast<double>(count.FrameBuffer) } };
   };
   if (numbers(simulated) != numbers(computed))
   {
-    throw Failure(where + ": the simulator counts " + Fixed(simulated.Bytes, 1) + " bytes and " + std::to_string(simulated.Count.GetTotal()) +
-      " accesses, expected the closed form's " + Fixed(computed.Bytes, 1) + " and " + std::to_string(computed.Count.GetTotal()));
+    throw Failure(where + ": the simulator counts " + Fixed(simulated.Bytes, 1) + " bytes and " +
+      std::to_string(simulated.Count.GetTotal()) + " accesses, expected the closed form's " + Fixed(computed.Bytes, 1) +
+      " and " + std::to_string(computed.Count.GetTotal()));
   }
 }
 
@@ -61,7 +62,8 @@ std::string Aligned(const std::vector<std::vector<std::string>>& rows)
   {
     for (std::size_t i = 0; i < row.size(); ++i)
     {
-      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ") << std::setw(static_cast<int>(widths[i])) << row[i];
+      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ") << std::setw(static_cast<int>(widths[i]))
+          << row[i];
     }
     out << "\n";
   }
@@ -75,21 +77,23 @@ std::string SectionLengthText(const Accounting::Layout& layout)
 
 std::string FrameText(const StorageFrame& frame)
 {
-  const double density = 100.0 * static_cast<double>(frame.Pixels.GetPixels()) / (static_cast<double>(frame.Pixels.Width) * frame.Pixels.Height);
-  std::vector<std::vector<std::string>> rows{ { "design", "fragments", "a section", "sections", "address bits", "KiB", "stores", "reads", "table",
-    "second depth", "frame buffer", "accesses" } };
+  const double density = 100.0 * static_cast<double>(frame.Pixels.GetPixels()) /
+    (static_cast<double>(frame.Pixels.Width) * frame.Pixels.Height);
+  std::vector<std::vector<std::string>> rows{ { "design", "fragments", "a section", "sections", "address bits", "KiB",
+    "stores", "reads", "table", "second depth", "frame buffer", "accesses" } };
   for (std::size_t i = 0; i < frame.Costs.size(); ++i)
   {
     const Accounting::Layout& layout = frame.Layouts[i];
     const Accounting::Cost& cost = frame.Costs[i];
     const bool points = layout.Kind != Design::RBuffer;
-    rows.push_back({ vtkStorageDesign::GetName(layout.Kind), Grouped(cost.Fragments), SectionLengthText(layout), points ? Grouped(cost.Sections) : "-",
-      points ? std::to_string(layout.Bits.Address) : "-", Fixed(cost.Bytes / 1024, 1), Grouped(cost.Count.Stores), Grouped(cost.Count.Reads),
-      Grouped(cost.Count.Table), Grouped(cost.Count.SecondDepth), Grouped(cost.Count.FrameBuffer), Grouped(cost.Count.GetTotal()) });
+    rows.push_back({ vtkStorageDesign::GetName(layout.Kind), Grouped(cost.Fragments), SectionLengthText(layout),
+      points ? Grouped(cost.Sections) : "-", points ? std::to_string(layout.Bits.Address) : "-",
+      Fixed(cost.Bytes / 1024, 1), Grouped(cost.Count.Stores), Grouped(cost.Count.Reads), Grouped(cost.Count.Table),
+      Grouped(cost.Count.SecondDepth), Grouped(cost.Count.FrameBuffer), Grouped(cost.Count.GetTotal()) });
   }
-  return frame.Name + ": " + Grouped(frame.Pixels.GetFragments()) + " fragments in " + Grouped(frame.Pixels.GetPixels()) + " pixels (" +
-    Fixed(density, 1) + " %), the deepest of " + Grouped(frame.Pixels.Pixels.empty() ? 0 : frame.Pixels.Pixels.rbegin()->first) + "\n" +
-    Aligned(rows);
+  return frame.Name + ": " + Grouped(frame.Pixels.GetFragments()) + " fragments in " +
+    Grouped(frame.Pixels.GetPixels()) + " pixels (" + Fixed(density, 1) + " %), the deepest of " +
+    Grouped(frame.Pixels.Pixels.empty() ? 0 : frame.Pixels.Pixels.rbegin()->first) + "\n" + Aligned(rows);
 }
 
 // A saving as a change: "-28.8 %".
@@ -110,15 +114,15 @@ Json DesignToJson(const Accounting::Layout& layout, const Accounting::Cost& cost
   json["sections"] = points ? Json(cost.Sections) : Json();
   json["address_bits"] = points ? Json(layout.Bits.Address) : Json();
   json["bytes"] = cost.Bytes;
-  json["accesses"] = { { "stores", count.Stores }, { "reads", count.Reads }, { "table", count.Table }, { "second_depth", count.SecondDepth },
-    { "frame_buffer", count.FrameBuffer }, { "total", count.GetTotal() } };
+  json["accesses"] = { { "stores", count.Stores }, { "reads", count.Reads }, { "table", count.Table },
+    { "second_depth", count.SecondDepth }, { "frame_buffer", count.FrameBuffer }, { "total", count.GetTotal() } };
   return json;
 }
 }
 
 //------------------------------------------------------------------------------
-StorageReport AccountStorage(const std::string& context, const std::vector<std::string>& names, const std::vector<Accounting::Histogram>& frames,
-  const Accounting::Settings& settings)
+StorageReport AccountStorage(const std::string& context, const std::vector<std::string>& names,
+  const std::vector<Accounting::Histogram>& frames, const Accounting::Settings& settings)
 {
   const Accounting accounting(settings, frames);
   if (!accounting.GetError().empty())
@@ -146,8 +150,8 @@ StorageReport AccountStorage(const std::string& context, const std::vector<std::
 }
 
 //------------------------------------------------------------------------------
-StorageReport AccountStorage(
-  const std::string& context, const std::vector<std::string>& names, const Trace& trace, const Accounting::Settings& settings)
+StorageReport AccountStorage(const std::string& context, const std::vector<std::string>& names, const Trace& trace,
+  const Accounting::Settings& settings)
 {
   std::vector<Accounting::Histogram> frames;
   for (const TraceFrame& frame : trace.Frames)
@@ -170,7 +174,8 @@ std::string ToText(const StorageReport& report)
   const Accounting::Packing& bits = report.Settings.Bits;
   std::ostringstream out;
   out << report.Title << ", " << report.Size[0] << "x" << report.Size[1] << "\n"
-      << "bits: depth " << bits.Depth << ", colour " << bits.Color << ", coordinate " << bits.Coordinate << ", state " << bits.State << "; "
+      << "bits: depth " << bits.Depth << ", colour " << bits.Color << ", coordinate " << bits.Coordinate << ", state "
+      << bits.State << "; "
       << (report.Simulated ? "closed forms; the simulator has come to the same numbers" : "closed forms") << "\n";
   for (const StorageFrame& frame : report.Frames)
   {
@@ -179,8 +184,8 @@ std::string ToText(const StorageReport& report)
   out << "\n" << (report.Frames.size() > 1 ? "Means of " + std::to_string(report.Frames.size()) + " frames:\n" : "");
   for (const StorageMean& mean : report.Means)
   {
-    out << vtkStorageDesign::GetName(mean.Design) << " against " << vtkStorageDesign::GetName(mean.Against) << ": " << ChangeText(mean.Saved.Storage)
-        << " storage, " << ChangeText(mean.Saved.Accesses) << " accesses\n";
+    out << vtkStorageDesign::GetName(mean.Design) << " against " << vtkStorageDesign::GetName(mean.Against) << ": "
+        << ChangeText(mean.Saved.Storage) << " storage, " << ChangeText(mean.Saved.Accesses) << " accesses\n";
   }
   return out.str();
 }
@@ -194,7 +199,8 @@ Json ToJson(const StorageReport& report)
   json["title"] = report.Title;
   json["inputs"] = report.Inputs;
   json["size"] = report.Size;
-  json["bits"] = { { "coordinate", bits.Coordinate }, { "depth", bits.Depth }, { "color", bits.Color }, { "state", bits.State } };
+  json["bits"] = { { "coordinate", bits.Coordinate }, { "depth", bits.Depth }, { "color", bits.Color },
+    { "state", bits.State } };
   json["simulated"] = report.Simulated;
   json["frames"] = Json::array();
   for (const StorageFrame& frame : report.Frames)
@@ -214,8 +220,9 @@ Json ToJson(const StorageReport& report)
   json["means"] = Json::array();
   for (const StorageMean& mean : report.Means)
   {
-    json["means"].push_back({ { "design", vtkStorageDesign::GetName(mean.Design) }, { "against", vtkStorageDesign::GetName(mean.Against) },
-      { "less_storage", mean.Saved.Storage }, { "fewer_accesses", mean.Saved.Accesses } });
+    json["means"].push_back(
+      { { "design", vtkStorageDesign::GetName(mean.Design) }, { "against", vtkStorageDesign::GetName(mean.Against) },
+        { "less_storage", mean.Saved.Storage }, { "fewer_accesses", mean.Saved.Accesses } });
   }
   return json;
 }

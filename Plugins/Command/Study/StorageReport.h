@@ -55,13 +55,14 @@ std::string ToText(const StorageReport& report);
 /// Everything; README.md beside this file says what the keys mean.
 nlohmann::ordered_json ToJson(const StorageReport& report);
 
-/// Draws the bytes (Figure 6 of the paper) or the accesses (Figure 7) of all designs, frame by frame, as .png. Opens a window; throws Failure; name is what to call
-/// the file in it.
+/// Draws the bytes (Figure 6 of the paper) or the accesses (Figure 7) of all designs, frame by frame, as .png. Opens a
+/// window; throws Failure; name is what to call the file in it.
 enum class StorageChart
 {
   Bytes,
   Accesses
 };
-void DrawChart(const StorageReport& report, StorageChart chart, const std::filesystem::path& file, const std::string& name);
+void DrawChart(
+  const StorageReport& report, StorageChart chart, const std::filesystem::path& file, const std::string& name);
 
 #endif

@@ -58,7 +58,8 @@ void CheckPixel(const std::string& where, const char* what, long long value, int
 {
   if (value < 0 || value >= size)
   {
-    throw Failure(where + ": " + what + " is " + std::to_string(value) + ", expected a pixel of the frame, 0 to " + std::to_string(size - 1));
+    throw Failure(where + ": " + what + " is " + std::to_string(value) + ", expected a pixel of the frame, 0 to " +
+      std::to_string(size - 1));
   }
 }
 
@@ -78,7 +79,8 @@ void CheckSide(const std::string& where, const char* what, unsigned long long si
 {
   if (side < 1 || side > LargestSide)
   {
-    throw Failure(where + ": " + what + " is " + std::to_string(side) + ", expected 1 to " + std::to_string(LargestSide));
+    throw Failure(
+      where + ": " + what + " is " + std::to_string(side) + ", expected 1 to " + std::to_string(LargestSide));
   }
 }
 
@@ -87,8 +89,8 @@ void AddFrame(const std::string& where, unsigned int number, Trace& trace)
 {
   if (!trace.Frames.empty() && number <= trace.Frames.back().Number)
   {
-    throw Failure(where + ": frame is " + std::to_string(number) + ", expected more than " + std::to_string(trace.Frames.back().Number) +
-      ", that of the frame before");
+    throw Failure(where + ": frame is " + std::to_string(number) + ", expected more than " +
+      std::to_string(trace.Frames.back().Number) + ", that of the frame before");
   }
   trace.Frames.push_back({ number, {} });
 }
@@ -127,7 +129,8 @@ std::array<int, 2> ReadSize(const std::string& file, Reader& reader)
   std::cmatch match;
   if (!line || !std::regex_match(line, match, form))
   {
-    throw Failure(file + ":1: is '" + Quotable(line ? line : "") + "', expected '# size WIDTHxHEIGHT', the size of the frames in pixels");
+    throw Failure(file + ":1: is '" + Quotable(line ? line : "") +
+      "', expected '# size WIDTHxHEIGHT', the size of the frames in pixels");
   }
   const std::array<int, 2> size{ { std::stoi(match[1]), std::stoi(match[2]) } };
   CheckSide(file + ":1", "width", static_cast<unsigned long long>(size[0]));
@@ -142,7 +145,8 @@ void ReadRows(const std::string& file, Reader& reader, Trace& trace)
   std::array<char*, 2> pixel{};
   std::array<char*, 5> values{}; // z, r, g, b, a
   const char* const integer = "an integer, 0 or more";
-  for (std::size_t row = 0; reader.read_row(frame, pixel[0], pixel[1], values[0], values[1], values[2], values[3], values[4]); ++row)
+  for (std::size_t row = 0;
+       reader.read_row(frame, pixel[0], pixel[1], values[0], values[1], values[2], values[3], values[4]); ++row)
   {
     if (row % FragmentsAStep == 0)
     {
@@ -154,8 +158,10 @@ void ReadRows(const std::string& file, Reader& reader, Trace& trace)
     {
       AddFrame(where, number, trace);
     }
-    const auto value = [&](int index, const char* what, const Range& range) { return Parse<float>(where, what, values[index], range.Expected); };
-    const Fragment fragment{ Parse<int>(where, "x", pixel[0], integer), Parse<int>(where, "y", pixel[1], integer), value(0, "z", Depths),
+    const auto value = [&](int index, const char* what, const Range& range)
+    { return Parse<float>(where, what, values[index], range.Expected); };
+    const Fragment fragment{ Parse<int>(where, "x", pixel[0], integer), Parse<int>(where, "y", pixel[1], integer),
+      value(0, "z", Depths),
       { { value(1, "r", Colors), value(2, "g", Colors), value(3, "b", Colors), value(4, "a", Depths) } } };
     CheckFragment(where, fragment, trace.Size);
     trace.Frames.back().Fragments.push_back(fragment);
@@ -304,8 +310,9 @@ void ReadFrame(const std::string& file, Bytes& bytes, Trace& trace)
   CheckRoom(counted, count);
   if (bytes.GetLeft() < count * RecordBytes)
   {
-    throw Failure(counted + ": " + name + " has " + std::to_string(count) + " fragments, expected " + std::to_string(count * RecordBytes) +
-      " bytes for them, but the file ends after " + std::to_string(bytes.GetLeft()));
+    throw Failure(counted + ": " + name + " has " + std::to_string(count) + " fragments, expected " +
+      std::to_string(count * RecordBytes) + " bytes for them, but the file ends after " +
+      std::to_string(bytes.GetLeft()));
   }
   Progress progress("reading " + file);
   frame.Fragments.reserve(count);
@@ -348,7 +355,8 @@ Trace ReadBinary(const std::string& file)
   }
   if (bytes.GetLeft() > 0)
   {
-    throw Failure(bytes.GetPlace() + ": " + std::to_string(bytes.GetLeft()) + " bytes are left behind the last frame, expected none");
+    throw Failure(bytes.GetPlace() + ": " + std::to_string(bytes.GetLeft()) +
+      " bytes are left behind the last frame, expected none");
   }
   return trace;
 }
@@ -390,8 +398,8 @@ const Format Formats[] = { { ".csv", ReadCsv, WriteCsv }, { ".trace", ReadBinary
 
 const Format* FindFormat(const fs::path& file)
 {
-  const auto* found = std::find_if(
-    std::begin(Formats), std::end(Formats), [&file](const Format& format) { return file.extension() == format.Suffix; });
+  const auto* found = std::find_if(std::begin(Formats), std::end(Formats),
+    [&file](const Format& format) { return file.extension() == format.Suffix; });
   return found == std::end(Formats) ? nullptr : found;
 }
 }

@@ -1,12 +1,13 @@
 /**
  * Traces: the translucent fragments of one or more frames, in the order in which each pixel's were drawn.
  *
- * .csv: the line "# size WIDTHxHEIGHT", the line "frame,x,y,z,r,g,b,a" (columns may stand in another order), and a line a fragment: the
- * number of its frame, its pixel from the lower left corner, its window depth, 0 to 1, its colour, 0 or more, not multiplied by the
- * opacity, and its opacity, 0 to 1. Frames come one after the other, their numbers grow.
+ * .csv: the line "# size WIDTHxHEIGHT", the line "frame,x,y,z,r,g,b,a" (columns may stand in another order), and a line
+ * a fragment: the number of its frame, its pixel from the lower left corner, its window depth, 0 to 1, its colour, 0 or
+ * more, not multiplied by the opacity, and its opacity, 0 to 1. Frames come one after the other, their numbers grow.
  *
- * .trace: the same, little endian: the eight bytes "FRAGMENT", then as 32-bit integers the version, 1, width, height and the number of frames; for each frame its
- * number in 32 bits and its fragments in 64; and 24 bytes a fragment: x and y as 16-bit integers, z, r, g, b and a as 32-bit floats.
+ * .trace: the same, little endian: the eight bytes "FRAGMENT", then as 32-bit integers the version, 1, width, height
+ * and the number of frames; for each frame its number in 32 bits and its fragments in 64; and 24 bytes a fragment: x
+ * and y as 16-bit integers, z, r, g, b and a as 32-bit floats.
  */
 #ifndef Trace_h
 #define Trace_h

@@ -21,8 +21,8 @@ double Quantile(std::vector<double> values, double part)
   return values[below] + (position - below) * (values[above] - values[below]);
 }
 
-void MeasureStages(Stage& stage, const std::vector<TechniqueChoice>& techniques, const std::vector<int>& numbers, int rounds,
-  Progress& progress, std::vector<Timing>& timings)
+void MeasureStages(Stage& stage, const std::vector<TechniqueChoice>& techniques, const std::vector<int>& numbers,
+  int rounds, Progress& progress, std::vector<Timing>& timings)
 {
   std::vector<std::vector<double>> gather(numbers.size());
   std::vector<std::vector<double>> resolve(numbers.size());

@@ -28,8 +28,8 @@ struct BenchmarkSettings
   int Warmup = 3;
 };
 
-/// Times the techniques of these numbers. Half as many frames more, in turn as well, are drawn with timers of their stages: these cost time
-/// themselves, and so are no part of Frames.
+/// Times the techniques of these numbers. Half as many frames more, in turn as well, are drawn with timers of their
+/// stages: these cost time themselves, and so are no part of Frames.
 std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& techniques,
   const std::vector<int>& numbers, const BenchmarkSettings& settings);
 

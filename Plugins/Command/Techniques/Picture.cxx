@@ -30,8 +30,8 @@ void Check(const OIIO::ImageBuf& result)
 
 OIIO::ImageBuf ToLinearLight(const OIIO::ImageBuf& pixels)
 {
-  OIIO::ImageBuf linear = OIIO::ImageBufAlgo::colorconvert(
-    OIIO::ImageBufAlgo::copy(pixels, OIIO::TypeFloat), "sRGB", "linear");
+  OIIO::ImageBuf linear =
+    OIIO::ImageBufAlgo::colorconvert(OIIO::ImageBufAlgo::copy(pixels, OIIO::TypeFloat), "sRGB", "linear");
   Check(linear);
   return linear;
 }
@@ -40,7 +40,8 @@ OIIO::ImageBuf ToLinearLight(const OIIO::ImageBuf& pixels)
 //------------------------------------------------------------------------------
 Picture::Picture(int width, int height, int channels, const unsigned char* pixels)
 {
-  const OIIO::ImageSpec spec(width, height, channels, OIIO::TypeUInt8); // of four, OpenImageIO takes the last for the opacity
+  const OIIO::ImageSpec spec(
+    width, height, channels, OIIO::TypeUInt8); // of four, OpenImageIO takes the last for the opacity
   const OIIO::ImageBuf upsideDown(spec, const_cast<unsigned char*>(pixels));
   this->Pixels = OIIO::ImageBufAlgo::flip(upsideDown);
   Check(this->Pixels);
@@ -89,7 +90,8 @@ Difference Picture::CompareTo(const Picture& reference) const
 Picture Picture::AbsoluteDifference(const Picture& other, float factor) const
 {
   const std::array<int, 3> colors{ { 0, 1, 2 } };
-  const auto difference = OIIO::ImageBufAlgo::channels(OIIO::ImageBufAlgo::absdiff(this->Pixels, other.Pixels), 3, colors);
+  const auto difference =
+    OIIO::ImageBufAlgo::channels(OIIO::ImageBufAlgo::absdiff(this->Pixels, other.Pixels), 3, colors);
   return Picture(OIIO::ImageBufAlgo::mul(difference, factor));
 }
 
@@ -99,8 +101,7 @@ void CheckPictureSuffix(const std::filesystem::path& file)
   const std::string suffix = LowerCase(file.extension().string());
   if (std::find(std::begin(Suffixes), std::end(Suffixes), suffix) == std::end(Suffixes))
   {
-    throw Failure("'" + file.string() + "' has the suffix '" + suffix + "', expected one of " +
-      PictureSuffixes());
+    throw Failure("'" + file.string() + "' has the suffix '" + suffix + "', expected one of " + PictureSuffixes());
   }
 }
 
@@ -110,7 +111,8 @@ void CheckHoldsTransparency(const std::filesystem::path& file)
   const std::string suffix = LowerCase(file.extension().string());
   if (suffix == ".jpg" || suffix == ".jpeg")
   {
-    throw Failure("'" + file.string() + "' is to have a transparent background, which " + suffix + " can't hold, expected .png .exr .tif or .tiff");
+    throw Failure("'" + file.string() + "' is to have a transparent background, which " + suffix +
+      " can't hold, expected .png .exr .tif or .tiff");
   }
 }
 

@@ -1,8 +1,8 @@
 #include "Stage.h"
 
-#include "Scenes/Camera.h"
 #include "Basics/Failure.h"
 #include "Basics/Messages.h"
+#include "Scenes/Camera.h"
 #include "Scenes/Scene.h"
 
 #include "vtkActor.h"
@@ -82,23 +82,21 @@ Stage::Stage(const std::array<int, 2>& size, int samples, bool transparent)
   Messages::Get()->ThrowError("no OpenGL window can be opened");
   if (!this->GetOpenGLWindow())
   {
-    throw Failure("the render window is a " + std::string(this->Window->GetClassName()) +
-      ", expected an OpenGL window");
+    throw Failure(
+      "the render window is a " + std::string(this->Window->GetClassName()) + ", expected an OpenGL window");
   }
   // VTK takes what the driver has.
   const int given = std::max(1, this->GetOpenGLWindow()->GetRenderFramebuffer()->GetMultiSamples());
   if (given != samples)
   {
     throw Failure("samples are " + std::to_string(samples) +
-      ", but of windows with several samples a pixel this driver has only those of " +
-      std::to_string(given));
+      ", but of windows with several samples a pixel this driver has only those of " + std::to_string(given));
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize(this->GetOpenGLWindow());
   if (size[0] > limit || size[1] > limit)
   {
-    throw Failure("size is " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
-      ", expected at most " + std::to_string(limit) + "x" + std::to_string(limit) +
-      ", this driver's limit");
+    throw Failure("size is " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + ", expected at most " +
+      std::to_string(limit) + "x" + std::to_string(limit) + ", this driver's limit");
   }
   this->Window->SetSize(size[0], size[1]);
 }
@@ -156,7 +154,8 @@ int Stage::AddPass(const Scene& scene, const TechniqueChoice& technique, vtkRend
   }
   if (transmits && !vtkTranslucencyPass::SafeDownCast(player.Pass))
   {
-    Messages::Get()->DisplayWarningText(("technique '" + technique.Label + "' draws without transmission colours").c_str());
+    Messages::Get()->DisplayWarningText(
+      ("technique '" + technique.Label + "' draws without transmission colours").c_str());
   }
   for (const Light& light : scene.Lights)
   {
@@ -186,8 +185,7 @@ double Stage::Draw(int technique)
   const auto start = std::chrono::steady_clock::now();
   this->Window->Render();
   this->Window->WaitForCompletion();
-  const std::chrono::duration<double, std::milli> elapsed =
-    std::chrono::steady_clock::now() - start;
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   this->CheckFrame(this->Players[technique]);
   return elapsed.count();
 }
@@ -229,8 +227,7 @@ FrameStatistics Stage::GetStatistics(int technique)
   {
     vtkTranslucencyStatistics* from = pass->GetStatistics();
     statistics.Fallback = from->GetFallback();
-    statistics.Known =
-      statistics.Fallback.empty(); // counts are the technique's own, not its stand-in's
+    statistics.Known = statistics.Fallback.empty(); // counts are the technique's own, not its stand-in's
     statistics.Fragments = from->GetFragments();
     statistics.DeepestPixel = from->GetDeepestPixel();
     statistics.Mebibytes = from->GetBytes() / (1024.0 * 1024.0);
@@ -292,9 +289,10 @@ std::optional<StorageCounts> Stage::CountStorage(int technique)
   {
     return {};
   }
-  return StorageCounts{ static_cast<int>(counting->GetSectionFragments()), counting->GetPackedBytes() / (1024.0 * 1024.0),
-    counting->GetStores(), counting->GetReads(), counting->GetTableAccesses(), counting->GetSecondDepthAccesses(),
-    counting->GetFrameBufferAccesses(), counting->GetAccesses() };
+  return StorageCounts{ static_cast<int>(counting->GetSectionFragments()),
+    counting->GetPackedBytes() / (1024.0 * 1024.0), counting->GetStores(), counting->GetReads(),
+    counting->GetTableAccesses(), counting->GetSecondDepthAccesses(), counting->GetFrameBufferAccesses(),
+    counting->GetAccesses() };
 }
 
 //------------------------------------------------------------------------------

@@ -36,9 +36,9 @@ struct FrameStatistics
   int ScreenPasses = 0;
   int ShaderBuilds = 0;
   int Transmittances = 0; ///< that the technique, as it is set, keeps for transmission colours: 3, or 1 for their mean
-  std::string Chosen;   ///< by a technique that chooses among others, which one, as Techniques.h writes it,
-  std::string Reason;   ///< and why; empty for all others
-  std::string Fallback; ///< what was drawn instead, if the driver could not run the technique
+  std::string Chosen;     ///< by a technique that chooses among others, which one, as Techniques.h writes it,
+  std::string Reason;     ///< and why; empty for all others
+  std::string Fallback;   ///< what was drawn instead, if the driver could not run the technique
 };
 
 /// What a frame takes of a fragment storage: see vtkStorageCountPass.
@@ -64,8 +64,8 @@ struct StageTimes
 class Stage
 {
 public:
-  /// Opens a window; throws Failure if the driver can't draw pictures of that size, or not with so many samples a pixel.
-  /// transparent: whether pictures hold the opacity.
+  /// Opens a window; throws Failure if the driver can't draw pictures of that size, or not with so many samples a
+  /// pixel. transparent: whether pictures hold the opacity.
   explicit Stage(const std::array<int, 2>& size, int samples = 1, bool transparent = false);
   ~Stage();
   Stage(const Stage&) = delete;

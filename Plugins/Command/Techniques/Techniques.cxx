@@ -37,8 +37,8 @@ void CheckName(const std::string& name)
 }
 
 // The option of that keyword with the value that the text stands for; throws Failure.
-std::pair<vtkTranslucencyOption, double> ReadSetting(vtkRenderPass* pass,
-  const std::string& technique, const std::string& keyword, const std::string& text)
+std::pair<vtkTranslucencyOption, double> ReadSetting(
+  vtkRenderPass* pass, const std::string& technique, const std::string& keyword, const std::string& text)
 {
   std::string known;
   for (const vtkTranslucencyOption& option : OptionsOf(pass))

@@ -16,7 +16,7 @@ struct TechniqueInfo
 {
   std::string Name;
   std::string Help;
-  int Transmittances = 0; ///< with its defaults, see CountTransmittances
+  int Transmittances = 0;                     ///< with its defaults, see CountTransmittances
   std::vector<vtkTranslucencyOption> Options; ///< the declarations; Get and Set may not be called
 };
 
@@ -41,7 +41,8 @@ void AddSetting(TechniqueChoice& choice, const std::string& keyword, const std::
 /// A new pass of the technique with its options set.
 vtkSmartPointer<vtkRenderPass> MakePass(const TechniqueChoice& choice);
 
-/// How many transmittances a technique keeps where there are transmission colours: 3, 1 for their mean, 0 if it ignores them.
+/// How many transmittances a technique keeps where there are transmission colours: 3, 1 for their mean, 0 if it ignores
+/// them.
 int CountTransmittances(vtkRenderPass* pass);
 
 /// "memory_limit" as a flag: "--memory-limit".

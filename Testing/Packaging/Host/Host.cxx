@@ -6,8 +6,8 @@ int main()
 {
   for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
   {
-    std::cout << vtkTranslucencyFactory::GetTechniqueName(i) << ": "
-              << vtkTranslucencyFactory::GetTechniqueHelp(i) << '\n';
+    std::cout << vtkTranslucencyFactory::GetTechniqueName(i) << ": " << vtkTranslucencyFactory::GetTechniqueHelp(i)
+              << '\n';
   }
   return 0;
 }

@@ -45,7 +45,8 @@ std::vector<Placed> Place(const vtkRenderState* s, vtkCamera* camera)
   camera->GetPosition(eye);
   camera->GetDirectionOfProjection(view);
   camera->GetClippingRange(range);
-  const double around = 0.05 * (range[1] - range[0]); // some props draw more than their bounds: points have a size in pixels
+  const double around =
+    0.05 * (range[1] - range[0]); // some props draw more than their bounds: points have a size in pixels
   std::vector<Placed> all;
   for (int i = 0; i < vtkTranslucencyPropCount(s); ++i)
   {
@@ -228,7 +229,8 @@ void vtkDepthSlabsPass::End(vtkOpenGLRenderWindow* window, const int area[4])
 
 //------------------------------------------------------------------------------
 // Before the ray caster's own text takes the place of its tags.
-bool vtkDepthSlabsPass::PreReplaceShaderValues(std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkDepthSlabsPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   if (vtkVolume::SafeDownCast(prop))
   {
@@ -239,7 +241,8 @@ bool vtkDepthSlabsPass::PreReplaceShaderValues(std::string&, std::string&, std::
       "float slabSample; // the number of the next one\n"
       "float slabSamplesTo(float depth, vec3 first, vec3 step)\n"
       "{\n"
-      "  vec4 point = ip_inverseTextureDataAdjusted * in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix * in_inverseProjectionMatrix *\n"
+      "  vec4 point = ip_inverseTextureDataAdjusted * in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix * "
+      "in_inverseProjectionMatrix *\n"
       "    WindowToNDC(gl_FragCoord.x, gl_FragCoord.y, depth);\n"
       "  return dot(point.xyz / point.w - first, step) / dot(step, step);\n"
       "}\n");
@@ -259,7 +262,8 @@ bool vtkDepthSlabsPass::PreReplaceShaderValues(std::string&, std::string&, std::
 }
 
 //------------------------------------------------------------------------------
-bool vtkDepthSlabsPass::PostReplaceShaderValues(std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkDepthSlabsPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   if (!vtkVolume::SafeDownCast(prop))
   {
@@ -267,7 +271,8 @@ bool vtkDepthSlabsPass::PostReplaceShaderValues(std::string&, std::string&, std:
     const bool setsDepth = std::regex_search(fragmentShader, assignment);
     const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
     const std::string reject = "if (" + depth + " < slab.x || " + depth + " >= slab.y) { discard; }\n";
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec", "uniform vec2 slab;\nuniform float slabHides;\n");
+    vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::DepthPeeling::Dec", "uniform vec2 slab;\nuniform float slabHides;\n");
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::PreColor", setsDepth ? "" : reject);
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
       (setsDepth ? reject : "") + "gl_FragData[0] *= vec4(vec3(gl_FragData[0].a), slabHides);\n");
@@ -277,7 +282,8 @@ bool vtkDepthSlabsPass::PostReplaceShaderValues(std::string&, std::string&, std:
 
 //------------------------------------------------------------------------------
 // Mappers call this when they have set the state in which they want to draw.
-bool vtkDepthSlabsPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+bool vtkDepthSlabsPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* splats = actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;

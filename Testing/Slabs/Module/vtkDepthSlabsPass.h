@@ -2,16 +2,17 @@
  * @class   vtkDepthSlabsPass
  * @brief   draws translucent surfaces and volumes by plain blending, one slab of depth after the other
  *
- * What techniques are compared with, as the translucent pass of a vtkRenderStepsPass; it draws the volumes, too, so that one has no volumetric pass. The camera's
- * range of depths is divided into slabs of equal thickness. They are drawn one after the other, all props in each of them; of the fragments of a surface, and
- * of the samples of a volume's rays, only those whose depth lies in the slab count. Nothing is peeled, stored or sorted, and no ray is cast from another place
- * than without surfaces. Sums are in 32-bit floats.
+ * What techniques are compared with, as the translucent pass of a vtkRenderStepsPass; it draws the volumes, too, so
+ * that one has no volumetric pass. The camera's range of depths is divided into slabs of equal thickness. They are
+ * drawn one after the other, all props in each of them; of the fragments of a surface, and of the samples of a volume's
+ * rays, only those whose depth lies in the slab count. Nothing is peeled, stored or sorted, and no ray is cast from
+ * another place than without surfaces. Sums are in 32-bit floats.
  *
- * In a slab that is thin enough no order matters. What shares one in a pixel is blended in the order of drawing; FrontToBack blends it the other way round. So
- * where the two pictures are the same, they are the truth.
+ * In a slab that is thin enough no order matters. What shares one in a pixel is blended in the order of drawing;
+ * FrontToBack blends it the other way round. So where the two pictures are the same, they are the truth.
  *
- * Samples of a ray are slabs of it only where opacity adds up along it (vtkVolumeMapper::COMPOSITE_BLEND). For a volume that is drawn otherwise no slab may end
- * within it: SetUndivided.
+ * Samples of a ray are slabs of it only where opacity adds up along it (vtkVolumeMapper::COMPOSITE_BLEND). For a volume
+ * that is drawn otherwise no slab may end within it: SetUndivided.
  *
  * Windows of one sample only: the depth of the opaque surfaces is copied.
  */
@@ -49,7 +50,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether the slabs are drawn from the nearest to the farthest, each under the ones before; else each over them, from the farthest on. Default: false.
+  /// Whether the slabs are drawn from the nearest to the farthest, each under the ones before; else each over them,
+  /// from the farthest on. Default: false.
   vtkSetMacro(FrontToBack, bool);
   vtkGetMacro(FrontToBack, bool);
   vtkBooleanMacro(FrontToBack, bool);
@@ -87,7 +89,7 @@ private:
   bool FrontToBack = false;
   double Undivided[2] = { 0, 0 };
 
-  float Slab[2]; // the window depths between which the one that is drawn lies
+  float Slab[2];                   // the window depths between which the one that is drawn lies
   vtkOpenGLState* State = nullptr; // of the window that is drawn to
   vtkNew<vtkTranslucentPass> Surfaces;
   vtkNew<vtkVolumetricPass> Volumes;
