@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What adaptive transparency does with the fragments of pixels, by the shaders' own text: scripts/document-adaptive
 // compiles this file as a library, once for each number of nodes and rule of removal, with NODE_COUNT and NODE_REMOVAL,
 // and REMOVAL_LOSS and REMOVAL_WIDER for rules that the shaders don't have.

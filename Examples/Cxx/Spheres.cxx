@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Three translucent spheres that overlap, drawn into spheres.png or the file named on the command line.
 #include <vtkActor.h>
 #include <vtkAdaptiveTransparencyPass.h>

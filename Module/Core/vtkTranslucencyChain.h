@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTranslucencyChain
  * @brief   keeps a technique where a renderer draws what is translucent, whatever passes it is given

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What a picture is drawn from, as numbers: mostly the modification times of all objects that take part, which VTK
  * never gives twice, and whose addresses tell which they are. Two frames of equal numbers show the same. Brings the

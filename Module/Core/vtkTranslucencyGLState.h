@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * OpenGL's state as it was when this object was made comes back when it goes, whichever way the scope is left.
  *

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTranslucencyPass
  * @brief   draws translucent polygonal geometry right, whatever the order in which it is drawn

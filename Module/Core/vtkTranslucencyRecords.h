@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Where a frame's records of pixels lie: in buffers, or in colours that fragments fetch (vtkTranslucencyPixels).
  */

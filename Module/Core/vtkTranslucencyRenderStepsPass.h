@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTranslucencyRenderStepsPass
  * @brief   vtkRenderStepsPass with what a renderer does without a pass and that one leaves out

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What resolves count and leave to later ones (Shaders/Common/Statistics.glsl): a block of four words of the whole
  * frame, and one for each square of pixels of the tile.

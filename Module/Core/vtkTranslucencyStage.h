@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * One drawing of a technique, as it asks vtkTranslucencyFrame for it: what it puts into the shaders, what it draws to
  * and how that is blended.

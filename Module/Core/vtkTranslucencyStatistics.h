@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTranslucencyStatistics
  * @brief   what the last frame of a vtkTranslucencyPass drew and what it cost

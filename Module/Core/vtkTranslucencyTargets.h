@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage; or integer ones,
  * of which fragments fetch what earlier ones have drawn (Shaders/Common/PixelTargets.glsl).

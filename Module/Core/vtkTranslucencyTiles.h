@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * The parts in which a viewport is drawn where all of it at once would take too much memory. Knows no OpenGL.
  *

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveTransparencyPass
  * @brief   adaptive transparency: a visibility function of few nodes a pixel

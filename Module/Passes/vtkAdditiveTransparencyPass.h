@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdditiveTransparencyPass
  * @brief   translucent surfaces that shine: they brighten what lies behind and hide nothing

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAutomaticTransparencyPass
  * @brief   draws by the best of the module's techniques that stays within a budget of time and of graphics memory

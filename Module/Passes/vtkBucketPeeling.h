@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Peels up to 32 layers of a pixel in a drawing of the geometry: BucketSort of vtkDepthPeelPass, which tells how.
  */

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthPeelPass
  * @brief   depth peeling: the layers of the picture from drawings of the geometry, one or some after the other

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFourierOpacityPass
  * @brief   Fourier opacity mapping: absorbance along a ray as a Fourier series

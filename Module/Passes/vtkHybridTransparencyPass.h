@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHybridTransparencyPass
  * @brief   the k nearest fragments of a pixel, exactly, and the mean of all others

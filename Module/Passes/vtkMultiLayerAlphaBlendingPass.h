@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkMultiLayerAlphaBlendingPass
  * @brief   multi-layer alpha blending: the nearest layers of a pixel, and all others merged into the last

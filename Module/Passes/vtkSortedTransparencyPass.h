@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSortedTransparencyPass
  * @brief   blending in the order of depth, as far as sorting whole objects or polygons gives it

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkStochasticTransparencyPass
  * @brief   stochastic transparency: visibility from random depth samples, right on average, with noise

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkStockPeelingPass
  * @brief   VTK's dual depth peeling, the technique vtk-peel, made to end and to say what it can't draw

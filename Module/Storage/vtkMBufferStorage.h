@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkMBufferStorage
  * @brief   the M-buffer: a section of fragments for every pixel, and more where one is not enough

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRBufferStorage
  * @brief   the R-buffer: a first-in first-out buffer of fragments with their pixel

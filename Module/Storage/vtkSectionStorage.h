@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSectionStorage
  * @brief   fragments of a pixel in sections, one behind the other: what T-buffer and M-buffer share

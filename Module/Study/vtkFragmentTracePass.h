@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFragmentTracePass
  * @brief   draws the exact picture and keeps a copy of the fragments that it is made of

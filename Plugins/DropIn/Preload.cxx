@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What `translucency run` preloads into a program: where the program, or VTK in it, asks for a depth peeling pass, it
  * gets one that draws by the technique that was chosen.

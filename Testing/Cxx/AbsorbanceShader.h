@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Module/Shaders/Fourier and OpacityShadowMap, compiled as C++: the text that the GPU runs, once for each number of
  * terms that CMakeLists.txt lists and of channels.

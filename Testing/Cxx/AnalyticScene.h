@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Flat, unlit rectangles in parallel projection: a scene whose picture a few lines compute, whatever the techniques do.
  *

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * VTK's passes around translucent props: chains of passes, by name, of which the innermost draws the steps of a frame.
  */

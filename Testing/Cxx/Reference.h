@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What a pixel's colour should be, computed on the CPU in double precision, straight from Salvi et al. 2011, "Adaptive
  * Transparency". Written for being easily checked against the paper; shares nothing with the shaders that it judges.

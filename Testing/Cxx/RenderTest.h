@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What tests that draw have in common: off-screen views, and VTK's messages, which fail a test that did not expect
  * them.

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Module/Shaders/Common/SortBlock.glsl, compiled as C++, once for each size of a block, number of channels and order
  * among fragments of equal depth.

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * A comparison of pictures that sees what VTK's does not: VTK 9.1 averages after a shift by two pixels and takes a
  * picture dimmed to 80 % for the same.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Visibility from sums of absorbance: the shaders' own text on the CPU, against the reference in double precision and
 // against what theory says.
 #include "AbsorbanceShader.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Fourier opacity and opacity shadow maps against their own theory, computed on the CPU in double precision.
 #include "RenderTest.h"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The estimate of the error, drawn as a picture, and tolerances of it, against the same computed on the CPU.
 #include "RenderTest.h"
 

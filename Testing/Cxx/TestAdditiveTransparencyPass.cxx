@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Additive blending: the sum of opacity times colour, and all of what lies behind.
 #include "RenderTest.h"
 

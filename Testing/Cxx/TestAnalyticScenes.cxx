@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Techniques against computed pictures: every technique with every format of fragments on every scene that is not too
 // much for it. A case more is a row more in Techniques(), Formats() or Scenes().
 #include "RenderTest.h"

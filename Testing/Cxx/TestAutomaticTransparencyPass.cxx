@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A pass that chooses among the techniques: what it chooses within budgets, and that it draws what the chosen one
 // draws.
 #include "RenderTest.h"

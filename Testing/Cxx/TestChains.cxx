@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // VTK's passes around ours: the same picture in every frame, no message, and what the same chain draws with VTK's own
 // translucent pass.
 #include "Chains.h"

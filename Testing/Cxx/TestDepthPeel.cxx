@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Depth peeling against pictures computed from its theory: all layers give the exact one, some give these and the tail.
 #include "RenderTest.h"
 

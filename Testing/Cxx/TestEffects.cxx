@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Enabling a technique takes nothing away: the renderer's effects and the passes that it has or gets later stay, and
 // disabling gives them back.
 #include "Chains.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The techniques by name: each draws, and those that promise a right picture draw it.
 #include "RenderTest.h"
 

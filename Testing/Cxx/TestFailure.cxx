@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A technique that fails half way: the reason is told once, the picture is drawn all the same, nothing else is
 // disturbed.
 #include "RenderTest.h"

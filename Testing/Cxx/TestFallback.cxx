@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What is drawn by a driver that lacks what the storage needs: CMakeLists.txt runs this with one extension switched off
 // in Mesa at a time.
 #include "RenderTest.h"

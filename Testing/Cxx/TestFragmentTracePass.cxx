@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The fragments that a trace keeps are those of the scene, each in its place, with its depth and colour.
 #include "RenderTest.h"
 

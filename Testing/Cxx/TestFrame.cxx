@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // One frame among others: how a pass is put into a renderer, what else is in the window, and what comes and goes.
 #include "RenderTest.h"
 

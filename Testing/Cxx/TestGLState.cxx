@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // OpenGL is left as it was found, without an error, whatever is drawn and also when something fails.
 #include "GLState.h"
 #include "RenderTest.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Half floats: the shader's own text on the CPU, against GLM's. Runs under AddressSanitizer and
 // UndefinedBehaviorSanitizer.
 #include <glm/glm.hpp>

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What people do with a scene besides looking at it: selecting, picking, moving the camera.
 #include "RenderTest.h"
 

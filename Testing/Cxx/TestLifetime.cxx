@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // OpenGL objects of a pass: gone with it, or when they are released, whatever happens to its windows.
 #include "GLState.h"
 #include "RenderTest.h"

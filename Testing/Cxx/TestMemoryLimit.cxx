@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A limit on memory changes how often the scene is drawn, never the picture.
 #include "RenderTest.h"
 

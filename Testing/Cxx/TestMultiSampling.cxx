@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Multi-sampled windows: the picture is the mean of the exact pictures at the samples' positions.
 #include "GLState.h"
 #include "RenderTest.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Values out of range are refused with an error that names the option, the value and what was expected.
 #include "RenderTest.h"
 

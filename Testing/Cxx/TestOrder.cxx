@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What depends on the order of drawing and what must not: reversed drawing, equal depths, very deep pixels.
 //
 // 5,000 fragments in a pixel are what the module promises to be right at least; 100,000 are more than the rounds after

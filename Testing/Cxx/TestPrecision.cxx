@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Colours above 1, far and near planes a long way apart, opacity 1 among translucent fragments, surfaces that coincide.
 #include "RenderTest.h"
 

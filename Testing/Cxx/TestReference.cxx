@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The reference against what can be computed by hand, and against itself: its three ways to a colour have to meet where
 // the paper says that they do.
 #include "Reference.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The look of lit, curved, coloured surfaces: VTK's regression harness with baselines, and a strict comparison beside
 // it.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Screen-door transparency: masks hold what is said of them, and pictures are, pixel by pixel, as the masks make them.
 #include "RenderTest.h"
 

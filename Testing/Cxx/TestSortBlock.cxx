@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The sorting network: the shader's own text on the CPU. Runs under AddressSanitizer and UndefinedBehaviorSanitizer.
 #include "SortShader.h"
 

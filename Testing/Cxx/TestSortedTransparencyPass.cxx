@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Blending in the order of depth: exact where objects, or polygons, lie one behind the other as a whole; and nothing of
 // the user's is changed.
 #include "RenderTest.h"

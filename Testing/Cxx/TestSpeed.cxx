@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What must not become slow without anyone noticing: ratios of times taken in turn, with bounds that only a cliff
 // passes.
 #include "RenderTest.h"

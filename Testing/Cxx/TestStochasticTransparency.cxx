@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Stochastic transparency against its theory: right on average, with the noise that the same method has on the CPU,
 // exact where chance plays no part, the same in any order of drawing, and refined over frames as long as nothing
 // changes.

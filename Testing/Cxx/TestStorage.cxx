@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Where fragments lie does not change the picture: every design of storage against linked lists, and what each counts
 // against what the closed forms say.
 #include "RenderTest.h"

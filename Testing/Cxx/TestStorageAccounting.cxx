@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What designs of fragment storage take: the figures of the T-buffer's paper, and the closed forms against a simulator
 // that knows none.
 #include "vtkStorageAccounting.h"

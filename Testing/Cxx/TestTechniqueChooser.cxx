@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The rules of choice, driven by costs that are made up.
 #include "vtkTechniqueChooser.h"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Techniques without lists against pictures computed from their own theory, with 1 and 4 samples a pixel and under each
 // critical section that the driver has. A technique more is a row more in Techniques().
 #include "RenderTest.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The parts in which a viewport is drawn: whatever is cut, each pixel is drawn once.
 #include "vtkTranslucencyTiles.h"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Transmission colours: surfaces that let through a part of each of red, green and blue, against pictures computed
 // channel by channel.
 #include "RenderTest.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Pictures with an opacity, over a background that has none: what other programs put over backgrounds of their own.
 #include "RenderTest.h"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Props whose shaders the techniques' text does not reach: those that draw by actors of their own, and shaders of the
 // user's own.
 #include "RenderTest.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The visibility function of adaptive transparency: the shaders' own text on the CPU, against the reference and against
 // what the paper says must hold. Runs under AddressSanitizer and UndefinedBehaviorSanitizer.
 #include "Reference.h"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Volumes among translucent surfaces: what a ray gathers on its way from one surface to the next is a fragment between
 // them.
 #include "GLState.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Module/Shaders/Adaptive, compiled as C++: the text that the GPU runs, once for each number of nodes, rule of removal
  * and with or without alpha correction, as CMakeLists.txt lists.

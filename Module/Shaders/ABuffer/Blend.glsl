@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ABuffer/Blend.glsl: one fragment behind those already blended (Salvi 2011, Eq. 3, turned round: from front to back it
 // is the same sum and gives the total transmittance too).
 //

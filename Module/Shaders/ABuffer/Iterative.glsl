@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ABuffer/Iterative.glsl: weight each fragment with the transmittance of all in front of it (Salvi 2011, Eq. 2 and 4),
 // found by walking the list again: n^2 steps, no sorting, no memory.
 //

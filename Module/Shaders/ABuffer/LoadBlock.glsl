@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ABuffer/LoadBlock.glsl: a pixel's list, as far as it fits, into the registers in which it is sorted.
 //
 // Needs: what the storage and Common/SortBlock.glsl need.  Gives: loadBlock, Block.

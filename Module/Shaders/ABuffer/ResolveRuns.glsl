@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ABuffer/ResolveRuns.glsl: pixels of up to RUNS * 32 fragments.
 //
 // The list becomes sorted runs of 32, whose first fragments are then compared: the nearest of them is blended, and the

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ABuffer/ResolveSorted.glsl: long lists, last step: they are in order and are blended.
 //
 // Eight fragments a round: drivers may limit the rounds of a loop.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Absorbance/FetchTerms.glsl: the terms of a pixel, or a sample of it, as the targets hold them.
 //
 // One sampler a vector: arrays of samplers want constant indices, which a loop's counter is not.

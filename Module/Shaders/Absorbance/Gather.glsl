@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Absorbance/Gather.glsl: visibility from sums, in a fixed amount of memory (Salvi 2011, section 4). The technique's
 // file includes it last.
 //

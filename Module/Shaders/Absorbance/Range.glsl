@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Absorbance/Range.glsl: between which depths the terms tell fragments apart.
 //
 // - ABSORBANCE_BOUNDS_FRAGMENTS: those of the nearest and of the farthest fragment of the pixel, or the sample.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Absorbance/Resolve.glsl: visibility from sums, from lists of all fragments (Salvi 2011, section 4.1). The technique's
 // file includes it last.
 //

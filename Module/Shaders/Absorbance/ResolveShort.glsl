@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Absorbance/ResolveShort.glsl: the same as Resolve.glsl for lists of up to BLOCK_SIZE fragments, which are read once,
 // into registers. Longer ones are left to LONGER_LEVEL. The technique's file includes it last.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Absorbance/Weigh.glsl: what the resolves of lists do with each fragment.
 //
 // A Range grows to the nearest and the farthest depth; the terms take the fragments; and their colours are summed,

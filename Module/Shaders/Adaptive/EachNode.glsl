@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // EachNode.glsl: loops over the nodes of a visibility function, unrolled by the preprocessor.
 //
 // Only where all indices are constants do the nodes stay in registers (a CPU's SIMD lanes). Compilers unroll short

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Adaptive/Gather.glsl: adaptive transparency in fixed memory (Salvi 2011, section 4): the visibility function of a
 // pixel lies in its record, NODE_COUNT nodes of a depth and a transmittance (Record.glsl).
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Adaptive/Record.glsl: what a pixel's record holds in fixed memory. Its count is that of its fragments, up to
 // NODE_COUNT + 1: then nodes were removed.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // RemoveNode.glsl: makes room in a full visibility function (Salvi 2011, section 3.2).
 //
 // Dropping node j loses the area of a rectangle under the step function (Eq. 7): its height is the step t[j-1] - t[j],

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Adaptive/ResolveFetched.glsl: the colour of a pixel by the sums in its record (Record.glsl), where records lie in
 // colours.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Adaptive/Show.glsl: what is drawn in place of the translucent colours: how well a pixel is drawn, or what that took.
 // Grey, and opaque.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Adaptive/ShowFixed.glsl: a pixel, or a sample of it, by its record in fixed memory.
 //
 // Needs: SHOW, NODE_COUNT, NODE_REMOVAL, ALPHA_CORRECTION, ESTIMATE_ERROR, SAMPLES.

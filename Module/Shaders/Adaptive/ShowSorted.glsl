@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Adaptive/ShowSorted.glsl: a pixel that is drawn exactly, by sorting its fragments: no error, and as many nodes as
 // there can be.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Visibility.glsl: the visibility function of adaptive transparency (Salvi 2011, sections 3.1 and 3.3).
 //
 // vis(z), the transmittance between the viewer and depth z, is a step function of NODE_COUNT nodes in front-to-back

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Adaptive/Weigh.glsl: the visibility that a fragment is weighted with.
 //
 // A fragment that has a node of its own is seen through what lies before that node. One whose node was removed is

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Additive/Gather.glsl: what a fragment adds to its pixel: opacity * colour. Blending sums it up, in any order.
 //
 // Gives: gatherFragment.

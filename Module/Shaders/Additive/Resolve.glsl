@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Additive/Resolve.glsl: the sum of a pixel's fragments, behind which everything is seen:
 //     colour = sum of opacity * colour + what lies behind
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // AlphaCorrection.glsl: sums over a pixel's fragments whose weights add up to what is hidden.
 //
 // With exact visibilities, the weights vis(z) * opacity of a pixel's fragments add up to 1 - total transmittance.

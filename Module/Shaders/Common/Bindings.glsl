@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Bindings.glsl: the numbers of the buffer bindings, shared by the shaders and the C++ that fills the buffers.
 #ifndef Bindings_glsl
 #define Bindings_glsl

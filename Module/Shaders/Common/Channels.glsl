@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Channels.glsl: opacities and transmittances as they are told apart: one for all colours, or one for each of red,
 // green and blue.
 //

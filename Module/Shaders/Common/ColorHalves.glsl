@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ColorHalves.glsl: a colour, and one number more of each channel, as half floats.
 //
 // Needs: TRANSMITTANCE_CHANNELS.  Gives: packColorHalves, unpackColorHalves.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Composite.glsl: the main function of the last stage of techniques without lists; the technique's file includes it
 // last.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CompositeColors.glsl: the weighted colours and the total transmittance that blending has added up and multiplied,
 // over the opaque picture.
 //

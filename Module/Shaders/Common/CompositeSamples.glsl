@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CompositeSamples.glsl: the samples of which the colours wait in sampleColors, each in an invocation of its own.
 //
 // Needs: SAMPLES, TRANSMITTANCE_CHANNELS.

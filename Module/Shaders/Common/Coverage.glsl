@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Coverage.glsl: which samples of its pixel a fragment is for.
 //
 // Needs: SAMPLES.  Gives: coveredSamples.

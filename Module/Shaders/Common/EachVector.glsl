@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // EachVector.glsl: EACH_VECTOR(call) is call(0) call(1) ..., one for each of VECTOR_COUNT vectors.
 //
 // Not a loop: compilers leave some loops over vectors as loops in the mappers' long shaders, and an array whose index

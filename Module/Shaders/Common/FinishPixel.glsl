@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // FinishPixel.glsl: what every resolve ends a pixel with.
 //
 // Needs: what the storage needs.  Gives: finishPixel.

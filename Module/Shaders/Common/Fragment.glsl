@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Fragment.glsl: one translucent fragment, as the mappers shade it, the storage keeps it and the techniques read it.
 //
 // depth is the window depth, 0 at the near plane and 1 at the far plane. Half floats keep opacities far below 1/255 and

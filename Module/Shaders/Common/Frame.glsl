@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Frame.glsl: what holds for the whole tile that is being drawn.
 //
 // Gives: frameTile, the rectangle that is drawn now, in window pixels (x, y, width, height): the viewport, or a part of

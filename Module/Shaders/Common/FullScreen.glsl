@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // FullScreen.glsl: a vertex shader: one triangle that covers the viewport, at the far plane.
 //
 // Needs: nothing.  Gives: main; three vertices, from gl_VertexID alone.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Gather.glsl: what the mappers' shaders call for each translucent fragment.
 //
 // It stands where VTK has its depth peeling declarations; the call stands where VTK has shaded the fragment and

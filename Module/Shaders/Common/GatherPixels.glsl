@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // GatherPixels.glsl: gives each fragment to the records of the samples that it covers, one fragment of a pixel at a
 // time. The technique's file includes it last.
 //

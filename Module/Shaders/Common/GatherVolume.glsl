@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // GatherVolume.glsl: what VTK's ray caster calls: a ray is cast from fragment to fragment of its pixel, and what each
 // segment gathers is stored as a fragment between the two.
 //

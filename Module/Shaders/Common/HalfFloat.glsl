@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // HalfFloat.glsl: packHalf2x16 and its inverse for numbers that are never negative, in a third of the steps.
 //
 // Drivers without an instruction for it (llvmpipe) write packHalf2x16 out for every sign, infinity and NaN, some 25

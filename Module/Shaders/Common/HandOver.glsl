@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // HandOver.glsl: gives the fragments of one layer, drawn by shaders of others (vtkTranslucencyLayers), to what stands
 // in mappers' shaders.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Language.glsl: what GLSL and C++ with GLM spell differently, so that the mathematics can be compiled as either.
 //
 // INOUT(type) name is a parameter that the function changes, OUT(type) name one that it sets.

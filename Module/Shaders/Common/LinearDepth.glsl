@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // LinearDepth.glsl: where a fragment lies between the clipping planes, in units of their distance: 0 at the near one, 1
 // at the far one.
 //

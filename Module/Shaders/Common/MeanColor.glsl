@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // MeanColor.glsl: the mean of colours, weighted by their opacities, as opaque as all of them together: (1 -
 // transmittance) * sum of opacity * colour / sum of opacities
 //

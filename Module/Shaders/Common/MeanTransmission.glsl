@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // MeanTransmission.glsl: the transmission colour of a prop, for techniques that keep one transmittance.
 //
 // The fragment hides what it hides on average of red, green and blue, and adds the light that it adds. The opacity

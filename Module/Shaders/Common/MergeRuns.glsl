@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Common/MergeRuns.glsl: long lists, once for each doubling: pairs of sorted runs become one.
 //
 // Needs: what the storage's sorting needs.

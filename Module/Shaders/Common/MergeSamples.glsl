@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // MergeSamples.glsl: one node for the fragments of neighbouring triangles that share a pixel of a multi-sampled window.
 //
 // Inside a surface, each triangle that touches a pixel has a fragment of its own there, for some of the samples: where

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Opacity.glsl: what a fragment hides, from the colour that a mapper has shaded and the prop's transmission colour
 // (Channels.glsl).
 //

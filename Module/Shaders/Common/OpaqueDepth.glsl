@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // OpaqueDepth.glsl: the depth test of shaders that set gl_FragDepth.
 //
 // Their fragments can't be tested before they are shaded, and a later test would come after the fragment was stored.

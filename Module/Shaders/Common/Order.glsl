@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Order.glsl: which of two fragments is in front.
 //
 // The nearer one. Of two at the same depth, the one drawn later, as blending in drawing order would have it, where the

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Output.glsl: what a full-screen pass gives to blending, which puts it over the opaque picture.
 //
 // Needs: TRANSMITTANCE_CHANNELS.  Gives: writeOutput.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Over.glsl: what blending takes to put a colour over what is there: colour + transmittance * that
 // (vtkTranslucencyFrame::GetOver).
 //

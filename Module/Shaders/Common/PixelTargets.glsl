@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // PixelTargets.glsl: the records of Pixels.glsl in colours of 32-bit words, four in each, of which a fragment fetches
 // what earlier ones have drawn (GL_EXT_shader_framebuffer_fetch). The driver keeps the fragments of a pixel apart and
 // in the order of drawing.

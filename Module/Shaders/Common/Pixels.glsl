@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Pixels.glsl: a record of bounded size for each sample of each pixel, that fragments change one after the other.
 //
 // PIXEL_WORDS words a record, beside a count. Pixels lie in blocks of 8 x 4, and in a block all first words come first,

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // RecordNumbers.glsl: what techniques keep in the words of a pixel's record: floats, packed colours, and sums over
 // fragments that found no room.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Resolve.glsl: the main function of every resolve; the technique's file includes it last.
 //
 // A shader can't write different colours to the samples of a pixel: where they differ, they wait in sampleColors for

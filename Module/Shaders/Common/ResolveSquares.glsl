@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ResolveSquares.glsl: the vertex shader of every resolve: a point as large as a square of pixels, from gl_VertexID
 // alone.
 //

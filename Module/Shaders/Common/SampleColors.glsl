@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // SampleColors.glsl: the resolved colours of a pixel's samples, on their way into the framebuffer.
 //
 // Half floats of the colour, multiplied by the opacity, and of what is hidden; all 0, which changes nothing when it is

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Samples.glsl: multi-sampling by coverage masks (Yang et al. 2010; Salvi 2011, section 4.2).
 //
 // A fragment is shaded and stored once for all samples of a pixel that it covers. Resolves run first for the whole

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // SortBlock.glsl: sorts BLOCK_SIZE fragments that are held in registers.
 //
 // Batcher's odd-even merge sort (Batcher 1968, "Sorting networks and their applications"): its comparisons do not

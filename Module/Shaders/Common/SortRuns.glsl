@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Common/SortRuns.glsl: long lists, first step: every 32 fragments of a list become a sorted run.
 //
 // Needs: what the storage's sorting needs.

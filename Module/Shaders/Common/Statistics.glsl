@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Statistics.glsl: what a resolve learns about the frame and leaves for the application and for later resolves.
 //
 // A resolve may leave pixels to a later one: it marks their square of RESOLVE_SQUARE x RESOLVE_SQUARE pixels with the

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Target.glsl: reading what an earlier stage has drawn (vtkTranslucencyTargets).
 //
 // Where the window is multi-sampled the shader runs once for each sample, and reads that sample.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Tile.glsl: which pixels are drawn now, and which samples they have.
 //
 // Needs: SAMPLES (1 to 8), TARGET_SAMPLES.  Gives: ALL_SAMPLES, inTile.

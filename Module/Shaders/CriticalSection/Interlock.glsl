@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CriticalSection/Interlock.glsl: the hardware lets the fragments of a pixel through one at a time, in the order of
 // drawing (GL_ARB_fragment_shader_interlock, its ancestor of NVIDIA, or Intel's ordering).
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CriticalSection/None.glsl: no protection, for drivers that shade the fragments of a pixel one after the other.
 //
 // Software rasterizers do: one thread draws a tile of the picture, a primitive at a time, and the lanes of its vectors

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CriticalSection/Spinlock.glsl: one lock a pixel, taken by compare-and-swap. The fragments of a pixel come in any
 // order.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Fourier/Series.glsl: absorbance along a ray as a Fourier series (Jansen and Bavoil 2010, "Fourier opacity mapping").
 //
 // Fragments of absorbance a[i] at depths x[i] between 0 and 1 are peaks of density. Its series has the coefficients sum

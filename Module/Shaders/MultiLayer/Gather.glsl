@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // MultiLayer/Gather.glsl: a fragment goes to its place among the layers of its pixel; if there is then one too many,
 // the farthest goes to the tail (Layers.glsl).
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // MultiLayer/Layers.glsl: the layers of a pixel as its record holds them, front to back.
 //
 // First the depths of all, then the tail, then of each layer the colour with what the layer lets through

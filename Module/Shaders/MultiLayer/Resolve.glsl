@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // MultiLayer/Resolve.glsl: the layers of a pixel, or a sample of it, one behind the other, and what its tail holds
 // behind them: the mean colour, as opaque as all of it together.
 //

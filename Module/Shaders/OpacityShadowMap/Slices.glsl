@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // OpacityShadowMap/Slices.glsl: absorbance along a ray on a uniform grid (Kim and Neumann 2001, "Opacity shadow maps").
 //
 // Each of SLICES slices of equal depth sums the absorbance of the fragments in it. In front of a depth are all slices

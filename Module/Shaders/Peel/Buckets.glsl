@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/Buckets.glsl: what a sample's record holds while its layers are peeled by bucket sort (Liu, Huang, Liu and Wu
 // 2009).
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/Gather.glsl: takes the layers off whose depths the drawing before has found, and finds the depths of the next
 // ones.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/GatherBuckets.glsl: a fragment goes to the layer of its depth in the bucket of its depth (Buckets.glsl).
 //
 // Why nothing is lost: a bucket that is full keeps its nearest depths. When a depth finds no room in it, or has to

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/Merge.glsl: puts the layers just peeled behind those from the front, and in front of those from the back.
 //
 // Blending does that: under and over. The bounds of the next layers are the lesser ones, GL_MIN: what is left lies

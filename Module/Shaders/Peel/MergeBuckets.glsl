@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/MergeBuckets.glsl: puts the layers in front of the limit behind those that have been peeled, and makes the
 // buckets ready for what is left from the limit on.
 //

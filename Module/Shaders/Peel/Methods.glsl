@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/Methods.glsl: the values of PEEL_METHOD and of gatherStage, and what a pixel knows of the layers that are
 // peeled.
 //

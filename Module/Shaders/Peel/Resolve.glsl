@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/Resolve.glsl: a pixel's colour: the layers from the front, then the tail, then the layers from the back.
 //
 // Colours of layers are multiplied by their opacity. Alpha is what the front ones let through, and the opacity of the

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Peel/StartBuckets.glsl: records as they are before the first drawing: nothing has been peeled, and the buckets share
 // all depths.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ScreenDoor/Gather.glsl: screen-door transparency: a fragment is dropped, or opaque.
 //
 // The mask is a square of maskSize * maskSize ranks, repeated over the window. A fragment is kept where opacity > (rank

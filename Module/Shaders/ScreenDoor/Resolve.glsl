@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // ScreenDoor/Resolve.glsl: the nearest fragment that the mask has let through, opaque.
 //
 // Needs: TARGET_SAMPLES.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Sorted/Gather.glsl: a fragment's colour, multiplied by its opacity, as the over and under operators blend it.
 //
 // Where an object's back faces are drawn before its front faces, gatherPart is 1 for these, 2 for those and else 0

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Sorted/Resolve.glsl: what the under operator has gathered, front to back, over what lies behind:
 //     colour += transmittance * opacity * colour of the fragment, then transmittance *= 1 - opacity
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Stochastic/Gather.glsl: stochastic transparency (Enderton et al. 2010; Salvi et al. 2011, section 4).
 //
 // Stage 0: blending keeps the least depth of each of the pixel's DEPTH_SAMPLES depth samples, four a buffer; a fragment

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Stochastic/Mask.glsl: which of a pixel's depth samples a fragment covers (Enderton et al. 2010, section 3).
 //
 // Of DEPTH_SAMPLES samples S it covers floor(opacity * S + x), for a random x from 0 to 1: opacity * S on average.

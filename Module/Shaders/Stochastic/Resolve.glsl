@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Stochastic/Resolve.glsl: a pixel's colour from its sums (Gather.glsl) over some rounds.
 //
 // With ALPHA_CORRECTION 1 (Enderton et al. 2010, section 4) the weights vis * opacity are scaled to add up to 1 - total

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CellGrid.glsl: which cell of the tile a pixel lies in, and where its entry and its cell's counters are.
 //
 // Needs: nothing.  Gives: cellShift, cellUnits, headIndex, counterOfCell, counterOf.

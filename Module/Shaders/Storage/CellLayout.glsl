@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CellLayout.glsl: the numbers of how storages allocate by cells of pixels, shared by the shaders and vtkCellStorage.
 #ifndef CellLayout_glsl
 #define CellLayout_glsl

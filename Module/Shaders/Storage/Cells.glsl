@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Cells.glsl: what all storages share: units (a node, a section) that a cell of pixels takes from a range of its own.
 //
 // vtkCellStorage.h says why. A cell's counter begins at the range's first unit. Counting goes on when the range is used

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CountAccesses.glsl: reads each pixel's fragments once, counts what that accesses, and how many they are.
 //
 // Needs: what the storage needs, COUNT_ACCESSES 1.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Heads.glsl: an entry for each pixel, from which its fragments are found; 0 if there are none.
 //
 // With several samples a pixel, the upper bits count the samples that are resolved.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // LinkedList.glsl: one linked list of fragments a pixel, the last drawn first (Yang et al. 2010).
 //
 // Where fragments of a pixel are drawn in order, nobody else is at the pixel's head. Then a pixel takes a run of

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Nodes.glsl: fragments with a link to another one of their pixel, or to the next one of a queue.
 //
 // Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // RBuffer.glsl: a first-in first-out buffer of fragments with their pixel: the R-buffer.
 //
 // Each cell of pixels has a buffer of its own, the range of nodes that it takes from: fragments of one pixel lie in it

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Retrieve.glsl: one pass over the R-buffer's queues, an invocation a cell, which reads its fragments one after the
 // other.
 //

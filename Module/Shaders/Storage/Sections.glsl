@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Sections.glsl: fragments in sections of SECTION_LENGTH, which lie one behind the other: the T-buffer, and with
 // OWN_SECTIONS 1 the M-buffer.
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // SortList.glsl: puts a pixel's list into front-to-back order by changing its links, in n log n steps.
 //
 // Runs of 32 nodes are sorted in registers; then, pass after pass, pairs of runs are merged (the bottom-up merge sort

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // SquareFragments.glsl: how many fragments the pixels of a square hold, for vertex shaders.
 //
 // The counters are fetched as texels of their buffer. A vertex shader declares no storage block: drivers need not have

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Trace/Resolve.glsl: copies the fragments of all pixels for the application to read, and draws nothing.
 //
 // A list is walked twice: once for its length, by which the pixel gets a range of its own, and once to fill that from

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Weighted/Gather.glsl: sums over the fragments of a pixel in which their order does not matter.
 //
 // - WEIGHTED_SUM (Meshkin 2007): sum of opacity * colour, and of opacity.

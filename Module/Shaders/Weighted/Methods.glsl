@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Weighted/Methods.glsl: the values of WEIGHTED_METHOD.
 #ifndef Methods_glsl
 #define Methods_glsl

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Weighted/Resolve.glsl: a pixel's colour from its sums (Gather.glsl).
 //
 // The sum (survey, "Weighted Sum") can let through less than nothing of what lies behind: blending takes that for

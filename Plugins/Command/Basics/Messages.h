@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Takes the place of VTK's output window: errors are kept until the command asks for them, so that they end it with one
  * line; warnings are kept until the end, and each is printed once, on one line.

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * One line on a terminal that says what is being done and how far it is; silent where stderr is not a terminal.
  * Each step also notices that the user has asked to stop, so that what was half written is removed.

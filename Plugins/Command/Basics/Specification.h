@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * A name with settings, as one word of the command line: "adaptive:nodes=8:removal=mixed", "scene:spheres:count=10".
  */

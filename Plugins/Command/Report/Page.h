@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * The page that a comparison ends in: pictures, differences and costs, for someone who has never heard of any of it.
  */

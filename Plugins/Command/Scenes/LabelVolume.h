@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Label volumes: integers that say which tissue, material or object a voxel belongs to; 0 is the background.
  */

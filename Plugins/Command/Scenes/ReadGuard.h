@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Some of the libraries behind VTK's readers answer a broken file by writing to stderr, by exit() or by crashing.
  * While a guard lives, each of these ends as every other error of the command does: one line, and no success.

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Histogram files: JSON, as histogram.schema.json says: how many pixels of a frame hold how many fragments.
  */

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * What designs of fragment storage take for frames, as text, as JSON and as the two charts of the T-buffer's paper.
  */

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Traces: the translucent fragments of one or more frames, in the order in which each pixel's were drawn.
  *

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Times of several techniques, taken in turn (A B C A B C ...), so that what disturbs the machine disturbs all alike.
  */

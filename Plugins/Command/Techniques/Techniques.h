@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Techniques as the command line names them: "adaptive", "adaptive:nodes=8:removal=mixed".
  */

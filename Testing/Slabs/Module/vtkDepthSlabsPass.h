@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthSlabsPass
  * @brief   draws translucent surfaces and volumes by plain blending, one slab of depth after the other
