@@ -213,12 +213,13 @@ ROW_KEYS = {
     "resolve_milliseconds", "fragments", "deepest_pixel", "mebibytes", "tiles", "geometry_passes", "screen_passes",
     "shader_builds", "transmittances", "chosen", "reason", "fallback", "section_length", "packed_mebibytes", "accesses"}
 DIFFERENCE_KEYS = {"rmse", "psnr", "largest_difference", "picture", "difference_picture"}
-REPORT_KEYS = {"kind", "title", "inputs", "size", "samples", "driver", "actors", "triangles", "frames", "warmup", "techniques"}
+REPORT_KEYS = {"kind", "title", "inputs", "size", "samples", "driver", "actors", "triangles", "frames", "warmup", "orbit", "techniques"}
 
 
 def check_row(row):
     times = row["milliseconds"]
-    assert 0 < times["lower_quartile"] <= times["median"] <= times["upper_quartile"]
+    assert 0 < times["lower_quartile"] <= times["median"] <= times["upper_quartile"] <= times["slowest"] == max(times["frames"])
+    assert times["first"] > 0
     assert row["ratio_to_blend"] > 0
     keeps = row["name"] in ("exact", "adaptive")
     assert (row["accesses"] is not None) == (row["packed_mebibytes"] is not None) == (row["section_length"] is not None) == keeps, row
@@ -388,6 +389,18 @@ def trace_of_scene(command, folder):
     assert json.loads((folder / "times.json").read_text())["techniques"][0]["fragments"] == fragments
 
 
+def orbit_moves_the_camera(command, folder):
+    """The last frame that is timed is the one that --azimuth gives."""
+    counts = []
+    for view in ([], ["--azimuth", "40"], ["--orbit", "40"]):
+        arguments = ["bench", "ok.vtu", *SMALL, *view, "--techniques", "exact", "--frames", "2", "--warmup", "1", "-o", "times.json"]
+        succeeds(command, folder, arguments)
+        report = json.loads((folder / "times.json").read_text())
+        counts.append(report["techniques"][0]["fragments"])
+        assert report["orbit"] == (40 if "--orbit" in view else 0)
+    assert counts[0] != counts[1] == counts[2], counts
+
+
 CASES = {
     "List": list_text,
     "ListJson": list_json,
@@ -430,6 +443,7 @@ CASES = {
     "RenderColor": options_change_picture(["ok.vtp"], ["ok.vtp", "--color", "tomato"]),
     "RenderSamples": options_change_picture(["ok.vtp"], ["ok.vtp", "--samples", "4"]),
     "RenderBackground": options_change_picture(["ok.vtp"], ["ok.vtp", "--background", "#123"]),
+    "BenchOrbit": orbit_moves_the_camera,
     "RenderAzimuth": options_change_picture(["ok.vtu"], ["ok.vtu", "--azimuth", "30"]),
     "RenderElevation": options_change_picture(["ok.vtu"], ["ok.vtu", "--elevation", "30"]),
     "RenderZoom": options_change_picture(["ok.vtp"], ["ok.vtp", "--zoom", "0.5"]),

@@ -268,6 +268,12 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
   AddSceneOptions(bench, written, arguments);
   AddTechniques(bench, arguments);
   AddFrameOptions(bench, arguments.Frames);
+  bench
+    ->add_option("--orbit", arguments.Frames.Orbit,
+      "degrees that the camera goes round while frames are timed: shows frames that take long when something new is "
+      "met")
+    ->check(NumberIn(-Infinity, Infinity, "degrees"))
+    ->capture_default_str();
   bench->add_option("-o,--output", arguments.Output, "a JSON file");
   bench->footer("Built-in scenes:\n" + BuiltInSceneHelp() +
     "Example:\n"

@@ -31,6 +31,8 @@ std::vector<Column> TimeColumns()
     { "quartiles",
       [](const ReportRow& row)
       { return Fixed(row.Times.LowerQuartile, 1) + ".." + Fixed(row.Times.UpperQuartile, 1); } },
+    { "first", [](const ReportRow& row) { return Fixed(row.Times.First, 1); } },
+    { "slowest", [](const ReportRow& row) { return Fixed(row.Times.Slowest, 1); } },
     { "x blend",
       [](const ReportRow& row) { return row.Times.RatioToBlend ? Fixed(*row.Times.RatioToBlend, 2) : None; } },
     { "gather", [](const ReportRow& row) { return StageCell(row, &StageTimes::Gather); } },
@@ -115,7 +117,8 @@ Json RowToJson(const ReportRow& row, bool comparison)
   json["options"] = OptionsOf(row.Technique);
   json["help"] = row.Help;
   json["milliseconds"] = { { "median", times.Median }, { "lower_quartile", times.LowerQuartile },
-    { "upper_quartile", times.UpperQuartile }, { "frames", times.Frames } };
+    { "upper_quartile", times.UpperQuartile }, { "slowest", times.Slowest }, { "frames", times.Frames },
+    { "first", times.First } };
   json["ratio_to_blend"] = times.RatioToBlend ? Json(*times.RatioToBlend) : Json();
   json["gather_milliseconds"] = times.Stages ? Json(times.Stages->Gather) : Json();
   json["resolve_milliseconds"] = times.Stages ? Json(times.Stages->Resolve) : Json();
@@ -174,6 +177,7 @@ std::string ToText(const Report& report)
       << (report.Samples > 1 ? " of " + std::to_string(report.Samples) + " samples" : "") << ", " << report.Actors
       << " actors, " << Grouped(report.Triangles) << " triangles, " << report.Driver << "\n"
       << "times: medians of " << report.Settings.Frames << " frames after " << report.Settings.Warmup
+      << (report.Settings.Orbit != 0 ? ", on an orbit of " + Fixed(report.Settings.Orbit, 0) + " degrees" : "")
       << ", techniques in turn\n";
   if (!report.Reference.empty())
   {
@@ -230,6 +234,7 @@ Json ToJson(const Report& report)
   json["triangles"] = report.Triangles;
   json["frames"] = report.Settings.Frames;
   json["warmup"] = report.Settings.Warmup;
+  json["orbit"] = report.Settings.Orbit;
   if (comparison)
   {
     json["reference"] = report.Reference;

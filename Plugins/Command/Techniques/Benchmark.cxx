@@ -55,15 +55,20 @@ std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& te
   const std::vector<int>& numbers, const BenchmarkSettings& settings)
 {
   std::vector<Timing> timings(numbers.size());
-  for (int number : numbers)
+  for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    stage.Settle(number);
+    timings[i].First = stage.Draw(numbers[i]);
+    stage.Settle(numbers[i]);
   }
   const int rounds = settings.Warmup + settings.Frames;
   const int stageRounds = settings.Frames / 2 + 1;
   Progress progress("frames", (rounds + stageRounds) * static_cast<int>(numbers.size()));
   for (int round = 0; round < rounds; ++round)
   {
+    if (round >= settings.Warmup)
+    {
+      stage.Orbit(settings.Orbit / settings.Frames);
+    }
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
       progress.Step(techniques[i].Label);
@@ -86,6 +91,7 @@ std::vector<Timing> Measure(Stage& stage, const std::vector<TechniqueChoice>& te
     timing.LowerQuartile = Quantile(timing.Frames, 0.25);
     timing.Median = Quantile(timing.Frames, 0.5);
     timing.UpperQuartile = Quantile(timing.Frames, 0.75);
+    timing.Slowest = Quantile(timing.Frames, 1);
     blend = techniques[i].Name == "blend" ? &timing : blend;
     timing.Storage = stage.CountStorage(numbers[i]); // last: it draws by other shaders
   }

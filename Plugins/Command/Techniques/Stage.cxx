@@ -208,6 +208,16 @@ void Stage::Settle(int technique)
 }
 
 //------------------------------------------------------------------------------
+void Stage::Orbit(double degrees)
+{
+  if (degrees != 0)
+  {
+    this->Camera->Azimuth(degrees);
+    this->Players.front().Renderer->ResetCameraClippingRange();
+  }
+}
+
+//------------------------------------------------------------------------------
 void Stage::CheckFrame(const Player& player)
 {
   const std::string context = "technique '" + player.Technique.Label + "'";

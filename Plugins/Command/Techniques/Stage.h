@@ -88,6 +88,9 @@ public:
   /// Draws frames until a technique that chooses among others has come to rest; for all others, none.
   void Settle(int technique);
 
+  /// Moves the camera round the scene.
+  void Orbit(double degrees);
+
   /// What the technique's last frame drew.
   FrameStatistics GetStatistics(int technique);
 
