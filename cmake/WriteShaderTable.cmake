@@ -16,8 +16,6 @@ const char* vtkTranslucencyShaderTable(const std::string& name);
 set(rows "")
 foreach (shader IN LISTS SHADERS)
   file(READ "${FOLDER}/${shader}" text)
-  # Without comments on lines of their own, which drivers would read for each shader; the lines stay, for the numbers in messages.
-  string(REGEX REPLACE "(^|\n)[ ]*//[^\n]*" "\\1" text "${text}")
   string(APPEND rows "  { \"${shader}\", R\"GLSL(${text})GLSL\" },\n")
 endforeach ()
 
