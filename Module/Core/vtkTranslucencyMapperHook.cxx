@@ -38,7 +38,7 @@ void CullFaces(vtkOpenGLState* state, vtkTranslucencyStage::Faces drawn, vtkProp
 // True if a fragment shader gives its fragments a depth of its own.
 bool SetsDepth(const std::string& fragmentShader)
 {
-  return vtksys::RegularExpression("gl_FragDepth[ \t\n]*=[^=]").find(fragmentShader);
+  return vtksys::RegularExpression("gl_FragDepth[ \t\r\n]*=[^=]").find(fragmentShader);
 }
 }
 

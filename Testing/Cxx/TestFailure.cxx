@@ -82,6 +82,18 @@ TEST_F(TestFailure, OfADefineThatNoFileMentions)
 }
 
 //------------------------------------------------------------------------------
+TEST_F(TestFailure, OfADefineThatIsOnlyPartOfOtherNames)
+{
+  for (const std::string part : { "COLOR_FORM", "OLOR_FORMAT", "LOR_FOR" })
+  {
+    vtkNew<BrokenPass> pass;
+    pass->File = "ABuffer/ResolveSorted.glsl";
+    pass->Defines = { { part, "8" } };
+    ExpectFallback(pass, part + " is mentioned by none of its files", TakeMessages);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_F(TestFailure, OfAShaderThatDoesNotCompileNamesFileAndLine)
 {
   vtkNew<BrokenPass> pass;
