@@ -89,9 +89,13 @@ public:
   /// Empty if the storage can serve a viewport of this size under the limit, else why not.
   virtual std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
 
+  /// Where a prop lies: left, bottom, right, top in window pixels.
+  using Box = std::array<double, 4>;
+
   /// Before the first tile of a frame: what shaders need defined may change here, and nowhere else but by setting
-  /// properties.
-  virtual void BeginFrame(const vtkTranslucencyCapabilities& capabilities) = 0;
+  /// properties. The boxes of the props that will be drawn tell how much room to begin with, and whether the view
+  /// moves.
+  virtual void BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities) = 0;
 
   /// Makes ready for a tile: OutOfMemory or Complete.
   virtual Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) = 0;

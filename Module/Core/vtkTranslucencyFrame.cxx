@@ -39,6 +39,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslu
   const vtkRenderState* state, vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found)
   : Pass(pass)
   , Resources(resources)
+  , Picture(found.GetViewport())
   , Tiles(resources.Tiles)
   , State(state)
   , Window(window)
@@ -186,7 +187,8 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
   vtkTranslucencyResources& kept = this->Resources;
   if (this->Storage != storage)
   {
-    storage->BeginFrame(kept.Capabilities);
+    const vtkTranslucencyScene scene(this->State, kept.Unreached);
+    storage->BeginFrame(scene.GetBoxes(this->Picture), kept.Capabilities);
   }
   this->Storage = storage;
   this->Shaders->GetContext().Storage = storage;

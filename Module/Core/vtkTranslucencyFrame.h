@@ -195,6 +195,7 @@ private:
 
   vtkTranslucencyPass* Pass;
   vtkTranslucencyResources& Resources;
+  Rectangle Picture;           // what the camera's picture fills, of which the viewport is what is drawn
   vtkTranslucencyTiles& Tiles; // of the resources
   const vtkRenderState* State;
   vtkOpenGLRenderWindow* Window;

@@ -12,6 +12,26 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
+
+namespace
+{
+// The corners of a prop's box, which are none if it does not know it.
+std::vector<std::array<double, 4>> GetCorners(vtkProp* prop)
+{
+  std::vector<std::array<double, 4>> corners;
+  const double* bounds = prop->GetBounds();
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return corners;
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    corners.push_back({ { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1 } });
+  }
+  return corners;
+}
+}
 
 //------------------------------------------------------------------------------
 std::vector<vtkProp*> vtkTranslucencyScene::GetProps() const
@@ -43,15 +63,14 @@ std::array<double, 2> vtkTranslucencyScene::GetDepthRange() const
     {
       continue;
     }
-    const double* bounds = prop->GetBounds();
-    if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+    const auto corners = GetCorners(prop);
+    if (corners.empty())
     {
       return all;
     }
-    for (int corner = 0; corner < 8; ++corner)
+    for (const auto& corner : corners)
     {
-      const double at[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1 };
-      const double distance = -view->MultiplyDoublePoint(at)[2];
+      const double distance = -view->MultiplyDoublePoint(corner.data())[2];
       nearest = std::min(nearest, distance);
       farthest = std::max(farthest, distance);
     }
@@ -63,4 +82,39 @@ std::array<double, 2> vtkTranslucencyScene::GetDepthRange() const
   const auto linear = [clipping](double distance)
   { return std::clamp((distance - clipping[0]) / (clipping[1] - clipping[0]), 0.0, 1.0); };
   return { { linear(nearest), linear(farthest) } };
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<double, 4>> vtkTranslucencyScene::GetBoxes(const std::array<int, 4>& viewport) const
+{
+  const std::array<double, 4> all{ { static_cast<double>(viewport[0]), static_cast<double>(viewport[1]),
+    static_cast<double>(viewport[0] + viewport[2]), static_cast<double>(viewport[1] + viewport[3]) } };
+  vtkRenderer* renderer = this->State->GetRenderer();
+  vtkMatrix4x4* projection =
+    renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
+  std::vector<std::array<double, 4>> boxes;
+  for (vtkProp* prop : this->GetProps())
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    std::array<double, 4> box{ { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+    const auto corners = GetCorners(prop);
+    bool isBefore = !corners.empty();
+    for (const auto& corner : corners)
+    {
+      const double* at = projection->MultiplyDoublePoint(corner.data());
+      isBefore = isBefore && at[3] > 0;
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double pixel = viewport[axis] + (at[axis] / at[3] + 1) / 2 * viewport[2 + axis];
+        isBefore = isBefore && std::isfinite(pixel);
+        box[axis] = std::min(box[axis], pixel);
+        box[2 + axis] = std::max(box[2 + axis], pixel);
+      }
+    }
+    boxes.push_back(isBefore ? box : all);
+  }
+  return boxes;
 }

@@ -30,6 +30,10 @@ public:
   /// (Shaders/Common/LinearDepth.glsl). All of it where a prop does not know its box.
   std::array<double, 2> GetDepthRange() const;
 
+  /// Where the boxes of visible props lie in a viewport that the camera's picture fills: left, bottom, right, top in
+  /// window pixels. All of the viewport for a prop that does not know its box or is partly behind the camera.
+  std::vector<std::array<double, 4>> GetBoxes(const std::array<int, 4>& viewport) const;
+
 private:
   const vtkRenderState* State;
   const vtkTranslucencyUnreached& Unreached;

@@ -4,6 +4,7 @@
 
 #include "Common/Bindings.glsl"
 #include "Storage/CellLayout.glsl"
+#include "vtkCellRoom.h"
 #include "vtkTranslucencyCapabilities.h"
 
 #include <algorithm>
@@ -15,33 +16,16 @@ namespace
 {
 constexpr vtkTypeInt64 WordBytes = 4;
 constexpr vtkTypeInt64 LayoutBytes = 16;
-constexpr int FramesMovingAfterOverflow = 30;
-constexpr std::size_t LayoutsKept = 256;
 
 vtkTypeInt64 Pixels(const vtkFragmentStorage::Rectangle& tile)
 {
   return static_cast<vtkTypeInt64>(tile[2]) * tile[3];
 }
 
-int CellsAcross(int pixels, int shift)
-{
-  return (pixels + (1 << shift) - 1) >> shift;
-}
-
-int SmallestCellShift(const vtkFragmentStorage::Rectangle& tile)
-{
-  int shift = SMALLEST_CELL_SHIFT;
-  while (CellsAcross(tile[2], shift) * CellsAcross(tile[3], shift) > MOST_CELLS)
-  {
-    ++shift;
-  }
-  return shift;
-}
-
 vtkTypeInt64 CounterBytes(const vtkFragmentStorage::Rectangle& tile)
 {
-  const int shift = SmallestCellShift(tile);
-  return CellsAcross(tile[2], shift) * CellsAcross(tile[3], shift) * static_cast<vtkTypeInt64>(CELL_WORDS * WordBytes);
+  const auto [across, down] = vtkCellRoom::GetCells(tile);
+  return across * down * static_cast<vtkTypeInt64>(CELL_WORDS * WordBytes);
 }
 
 vtkTypeInt64 DividedUp(vtkTypeInt64 number, vtkTypeInt64 divisor)
@@ -55,6 +39,15 @@ vtkTypeInt64 WideCount(const unsigned int* words)
   return static_cast<vtkTypeInt64>(words[1]) << 32 | words[0];
 }
 }
+
+//------------------------------------------------------------------------------
+vtkCellStorage::vtkCellStorage()
+  : Room(new vtkCellRoom)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkCellStorage::~vtkCellStorage() = default;
 
 //------------------------------------------------------------------------------
 void vtkCellStorage::PrintSelf(ostream& os, vtkIndent indent)
@@ -138,12 +131,6 @@ vtkTypeInt64 vtkCellStorage::GetUnitsAllowed(
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkCellStorage::GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pixels) const
-{
-  return DividedUp(std::max<vtkTypeInt64>(0, fragments - pixels * this->GetPixelFragments()), this->GetUnitFragments());
-}
-
-//------------------------------------------------------------------------------
 std::map<std::string, std::string> vtkCellStorage::GetDefines() const
 {
   std::map<std::string, std::string> defines = this->Superclass::GetDefines();
@@ -153,8 +140,9 @@ std::map<std::string, std::string> vtkCellStorage::GetDefines() const
 }
 
 //------------------------------------------------------------------------------
-void vtkCellStorage::BeginFrame(const vtkTranslucencyCapabilities& capabilities)
+void vtkCellStorage::BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities)
 {
+  this->Room->BeginFrame(boxes);
   if (this->KeepsDrawOrder != capabilities.KeepsDrawOrder)
   {
     this->KeepsDrawOrder = capabilities.KeepsDrawOrder;
@@ -200,51 +188,42 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
   this->LimitBytes = this->GetLimitBytes(capabilities);
   this->BlockBytes = static_cast<double>(capabilities.MaximumBlockBytes);
   this->UnitsAllowed = this->GetUnitsAllowed(tile, capabilities);
-  const vtkTypeInt64 least = this->GetUnitsFor(Pixels(tile), Pixels(tile));
+  const vtkCellRoom::Unit unit{ this->GetUnitFragments(), this->GetPixelFragments() };
+  const vtkTypeInt64 least = vtkCellRoom::GetUnitsFor(unit, Pixels(tile), Pixels(tile));
   if (this->UnitsAllowed < least)
   {
     this->Units = std::max<vtkTypeInt64>(1, least); // what a fragment a pixel would take, for GetPartsNeeded
     return Outcome::TooLarge;
   }
-  if (this->Layouts.count(tile) == 0)
+  if (this->Room->IsTooLarge()) // what was guessed
   {
-    if (this->Layouts.size() >= LayoutsKept)
-    {
-      this->Layouts.clear();
-    }
-    TileLayout& layout = this->Layouts[tile];
-    layout.CellShift = SmallestCellShift(tile);
-    layout.CellsPerRow = CellsAcross(tile[2], layout.CellShift);
-    layout.Rows = CellsAcross(tile[3], layout.CellShift);
+    this->ReleaseBuffers();
   }
-
-  const TileLayout& layout = this->Layouts[tile];
-  this->Ranges = this->GetRanges(layout);
-  const vtkTypeInt64 units = std::accumulate(this->Ranges.begin(), this->Ranges.end(), vtkTypeInt64(0));
+  this->Room->BeginTile(tile, unit, this->InitialFragments, this->UnitsAllowed);
+  const vtkTypeInt64 units = this->Room->GetUnits();
   if (units > this->UnitsAllowed) // the limit has been lowered since they were counted
   {
     this->Units = units;
     return Outcome::TooLarge;
   }
-  // While the view moves, the next frames will want more: rather once too much than a little more in every frame.
-  const vtkTypeInt64 room = layout.FramesMoving > 0 ? std::min(units + units / 2, this->UnitsAllowed) : units;
-  if (!this->ReserveBuffers(units, room, capabilities))
+  if (!this->ReserveBuffers(units, this->Room->GetUnitsToReserve(this->UnitsAllowed), capabilities))
   {
     return Outcome::OutOfMemory;
   }
   std::vector<unsigned int> cells(CounterBytes(tile) / WordBytes, 0);
   vtkTypeInt64 first = 0;
-  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  unsigned int* words = cells.data();
+  for (vtkTypeInt64 range : this->Room->GetRanges())
   {
-    unsigned int* words = &cells[cell * CELL_WORDS];
     words[CELL_NEXT] = static_cast<unsigned int>(first);
     words[CELL_FIRST] = static_cast<unsigned int>(first);
-    first += this->Ranges[cell];
+    first += range;
     words[CELL_END] = static_cast<unsigned int>(first);
+    words += CELL_WORDS;
   }
-  const std::array<unsigned int, 4> words{ { static_cast<unsigned int>(layout.CellShift),
+  const std::array<unsigned int, 4> block{ { static_cast<unsigned int>(vtkCellRoom::GetCellShift(tile)),
     static_cast<unsigned int>(units), 0, 0 } };
-  this->LayoutBlock.Upload(words.data(), LayoutBytes);
+  this->LayoutBlock.Upload(block.data(), LayoutBytes);
   this->Counters.Upload(cells.data(), CounterBytes(tile));
   this->Counters.BindStorage(STORAGE_BINDING_COUNTERS);
   this->LayoutBlock.BindUniform(UNIFORM_BINDING_STORAGE);
@@ -260,47 +239,6 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
     }
   }
   return Outcome::Complete;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkTypeInt64> vtkCellStorage::GetRanges(const TileLayout& layout) const
-{
-  const int across = layout.CellsPerRow;
-  const int rows = layout.Rows;
-  std::vector<vtkTypeInt64> tight(static_cast<std::size_t>(across) * rows);
-  if (layout.Counts.empty())
-  {
-    const vtkTypeInt64 pixelsOfCell = vtkTypeInt64(1) << (2 * layout.CellShift);
-    const vtkTypeInt64 least = this->GetUnitsFor(pixelsOfCell, pixelsOfCell);
-    vtkTypeInt64 left = this->GetUnitsFor(this->InitialFragments, 0);
-    for (vtkTypeInt64& range : tight)
-    {
-      range = this->InitialFragments > 0 ? std::min(least, left) : least;
-      left -= range;
-    }
-    return tight;
-  }
-  tight = layout.Counts;
-  std::vector<vtkTypeInt64> wide(tight.size());
-  for (int y = 0; y < rows; ++y)
-  {
-    for (int x = 0; x < across; ++x)
-    {
-      vtkTypeInt64 most = layout.Counts[y * across + x];
-      const int reach = layout.FramesMoving > 0 ? 2 : 0;
-      for (int v = std::max(0, y - reach); v <= std::min(rows - 1, y + reach); ++v)
-      {
-        for (int u = std::max(0, x - reach); u <= std::min(across - 1, x + reach); ++u)
-        {
-          most = std::max(most, layout.Counts[v * across + u]);
-        }
-      }
-      wide[y * across + x] = most + most / 8;
-    }
-  }
-  // What was counted has to fit; what is more than that only if the limit allows it.
-  const bool fits = std::accumulate(wide.begin(), wide.end(), vtkTypeInt64(0)) <= this->UnitsAllowed;
-  return fits ? wide : tight;
 }
 
 //------------------------------------------------------------------------------
@@ -322,11 +260,7 @@ bool vtkCellStorage::ReserveBuffers(
   }
   if (static_cast<double>(kept) > this->GetLimitBytes(capabilities))
   {
-    this->Counters.Release(); // what earlier, larger tiles left
-    for (auto& buffer : this->Buffers)
-    {
-      buffer.second.Release();
-    }
+    this->ReleaseBuffers(); // what earlier, larger tiles left
   }
   const auto reserve = [&](const Layout& layout)
   {
@@ -345,7 +279,7 @@ bool vtkCellStorage::ReserveLinks()
   {
     return true;
   }
-  const vtkTypeInt64 units = std::accumulate(this->Ranges.begin(), this->Ranges.end(), vtkTypeInt64(0));
+  const vtkTypeInt64 units = this->Room->GetUnits();
   for (const Layout& layout : this->GetLayouts())
   {
     if (layout.Used == Use::Links)
@@ -399,9 +333,9 @@ void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
     return;
   }
   const auto length = static_cast<unsigned int>(this->GetUnitFragments());
-  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  for (std::size_t first = 0; first < cells.size(); first += CELL_WORDS)
   {
-    unsigned int* words = &cells[cell * CELL_WORDS];
+    unsigned int* words = &cells[first];
     words[CELL_FRAGMENTS] = (words[CELL_NEXT] - words[CELL_FIRST] + words[CELL_PIXELS]) * length;
   }
   if (units) // which shaders know, too
@@ -409,16 +343,17 @@ void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
     return;
   }
   const int width = this->Tile[2];
-  const TileLayout& layout = this->Layouts[this->Tile];
+  const int shift = vtkCellRoom::GetCellShift(this->Tile);
+  const int across = this->GetCells()[0];
   this->Entries.resize(static_cast<std::size_t>(Pixels(this->Tile)));
   this->Buffers[STORAGE_BINDING_TABLE].Download(this->Entries.data(), Pixels(this->Tile) * WordBytes);
   for (int y = 0; y < this->Tile[3]; ++y)
   {
-    for (int column = 0; column < layout.CellsPerRow; ++column)
+    for (int column = 0; column < across; ++column)
     {
-      const int x = column << layout.CellShift;
-      const int pixels = std::min(1 << layout.CellShift, width - x);
-      const std::size_t cell = static_cast<std::size_t>(y >> layout.CellShift) * layout.CellsPerRow + column;
+      const int x = column << shift;
+      const int pixels = std::min(1 << shift, width - x);
+      const std::size_t cell = static_cast<std::size_t>(y >> shift) * across + column;
       cells[cell * CELL_WORDS + CELL_FRAGMENTS] -=
         this->CountFree(&this->Entries[static_cast<std::size_t>(y) * width + x], pixels);
     }
@@ -429,34 +364,28 @@ void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
 //------------------------------------------------------------------------------
 vtkFragmentStorage::Outcome vtkCellStorage::End()
 {
-  TileLayout& layout = this->Layouts[this->Tile];
   std::vector<unsigned int> cells = this->ReadCells();
   this->CountFragments(cells);
-  const bool first = layout.Counts.empty();
-  layout.Counts.resize(this->Ranges.size());
-  bool overflow = false;
-  vtkTypeInt64 most = 0;
-  this->Units = 0;
+  vtkCellRoom::Units counts;
+  vtkCellRoom::Units held;
   this->Fragments = 0;
   this->FullestCell = 0;
-  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  for (std::size_t first = 0; first < cells.size(); first += CELL_WORDS)
   {
-    const unsigned int* words = &cells[cell * CELL_WORDS];
+    const unsigned int* words = &cells[first];
     const vtkTypeInt64 fragments = static_cast<vtkTypeInt64>(words[CELL_FRAGMENTS]) + words[CELL_INSERTED];
-    layout.Counts[cell] = this->CountUnits(words);
-    most = std::max(most, layout.Counts[cell]);
-    this->Units += layout.Counts[cell];
+    counts.push_back(this->CountUnits(words));
+    held.push_back(fragments);
     this->Fragments += fragments;
     this->FullestCell = std::max(this->FullestCell, fragments);
-    overflow = overflow || layout.Counts[cell] > this->Ranges[cell];
   }
-  if (!overflow)
+  this->Units = std::accumulate(counts.begin(), counts.end(), vtkTypeInt64(0));
+  if (this->Room->FinishTile(counts, held))
   {
-    layout.FramesMoving = std::max(0, layout.FramesMoving - 1);
     this->Learn(cells);
     return Outcome::Complete;
   }
-  layout.FramesMoving = first ? 0 : FramesMovingAfterOverflow;
+  const vtkTypeInt64 most = *std::max_element(counts.begin(), counts.end());
   return this->Units <= this->UnitsAllowed && most * this->GetUnitFragments() <= MOST_FRAGMENTS_OF_CELL
     ? Outcome::Grown
     : Outcome::TooLarge;
@@ -492,7 +421,7 @@ vtkTypeInt64 vtkCellStorage::GetUnits() const
 //------------------------------------------------------------------------------
 int vtkCellStorage::GetMostExpected() const
 {
-  const vtkTypeInt64 pixels = vtkTypeInt64(1) << (2 * SmallestCellShift(this->Tile));
+  const vtkTypeInt64 pixels = vtkTypeInt64(1) << (2 * vtkCellRoom::GetCellShift(this->Tile));
   return static_cast<int>(std::min<vtkTypeInt64>(VTK_INT_MAX, DividedUp(this->FullestCell, pixels)));
 }
 
@@ -501,9 +430,9 @@ vtkStorageDesign::Accesses vtkCellStorage::GetAccesses() const
 {
   vtkStorageDesign::Accesses accesses;
   const std::vector<unsigned int> cells = this->ReadCells();
-  for (std::size_t cell = 0; cell < this->Ranges.size(); ++cell)
+  for (std::size_t first = 0; first < cells.size(); first += CELL_WORDS)
   {
-    const unsigned int* words = &cells[cell * CELL_WORDS];
+    const unsigned int* words = &cells[first];
     accesses.Stores += words[CELL_STORES];
     accesses.Table += words[CELL_TABLE];
     accesses.Reads += WideCount(words + CELL_READS);
@@ -530,8 +459,7 @@ std::vector<vtkFragmentStorage::Texels> vtkCellStorage::GetTexels()
 //------------------------------------------------------------------------------
 std::array<int, 2> vtkCellStorage::GetCells() const
 {
-  const int shift = SmallestCellShift(this->Tile);
-  return { { CellsAcross(this->Tile[2], shift), CellsAcross(this->Tile[3], shift) } };
+  return vtkCellRoom::GetCells(this->Tile);
 }
 
 //------------------------------------------------------------------------------
@@ -554,17 +482,23 @@ void vtkCellStorage::ClearTable()
 //------------------------------------------------------------------------------
 void vtkCellStorage::ForgetUnits()
 {
-  this->Layouts.clear();
+  this->Room->Forget();
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::ReleaseBuffers(bool contextAlive)
+{
+  this->Counters.Release(contextAlive);
+  for (auto& buffer : this->Buffers)
+  {
+    buffer.second.Release(contextAlive);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkCellStorage::Release(bool contextAlive)
 {
-  this->Counters.Release(contextAlive);
+  this->ReleaseBuffers(contextAlive);
   this->LayoutBlock.Release(contextAlive);
-  for (auto& buffer : this->Buffers)
-  {
-    buffer.second.Release(contextAlive);
-  }
-  this->Layouts.clear();
+  this->ForgetUnits();
 }

@@ -6,9 +6,7 @@
  *
  * Units of room, a node, a run of them or a section, are taken by atomic operations while the geometry is drawn. One
  * counter for all of them is what the gather would wait for: two threads alone lose more time to it than to everything
- * else. Here each cell of 16 x 16 pixels has a counter (64 bytes) and a range of units of its own, as large as what the
- * cell held in the last frame and an eighth more. After a frame in which that was not enough (the view moves), ranges
- * are for a while as large as the fullest of a cell and its neighbours within two cells.
+ * else. Here each cell of 16 x 16 pixels has a counter (64 bytes) and a range of units of its own (vtkCellRoom).
  *
  * Where a range is too small, the frame is still counted to its end and then drawn again with ranges that fit.
  *
@@ -22,6 +20,10 @@
 #include "vtkStorageDesign.h"      // for GetDesign
 #include "vtkTranslucencyBuffer.h" // for the buffers
 
+#include <memory> // for the room
+
+class vtkCellRoom;
+
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkCellStorage : public vtkFragmentStorage
 {
 public:
@@ -30,8 +32,9 @@ public:
 
   ///@{
   /**
-   * How many fragments there is room for in the first frame. 0 (the default) means one a pixel. Later frames have as
-   * much room as the ones before needed. A negative value is an error and changes nothing.
+   * How many fragments there is room for in the first frame. 0 (the default) means as many as the boxes of the props
+   * let expect, and one per pixel at least. Later frames have as much room as the ones before needed. A negative value
+   * is an error and changes nothing.
    */
   void SetInitialFragments(vtkTypeInt64 fragments);
   vtkGetMacro(InitialFragments, vtkTypeInt64);
@@ -56,7 +59,7 @@ public:
   vtkStorageDesign::Accesses GetAccesses() const;
 
   std::map<std::string, std::string> GetDefines() const override;
-  void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
+  void BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities) override;
   std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
   Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) override;
   Outcome End() override;
@@ -74,8 +77,8 @@ public:
   void Release(bool contextAlive) override;
 
 protected:
-  vtkCellStorage() = default;
-  ~vtkCellStorage() override = default;
+  vtkCellStorage();
+  ~vtkCellStorage() override;
 
   enum class Use
   {
@@ -137,16 +140,8 @@ private:
   vtkCellStorage(const vtkCellStorage&) = delete;
   void operator=(const vtkCellStorage&) = delete;
 
-  struct TileLayout
-  {
-    int CellShift = 0; // a cell is 2^CellShift pixels wide and high
-    int CellsPerRow = 0;
-    int Rows = 0;
-    int FramesMoving = 0;             // how long ranges are still sized after their neighbours, too
-    std::vector<vtkTypeInt64> Counts; // units that each cell took in the last frame; empty before the first
-  };
-
   std::vector<unsigned int> ReadCells() const;
+  void ReleaseBuffers(bool contextAlive = true);
 
   /// After the geometry was drawn: fills in how many fragments each cell holds, as the units tell and what is free in
   /// them, for the shaders, too. That costs less than an atomic operation a fragment. Where the order of drawing isn't
@@ -157,9 +152,6 @@ private:
   vtkTypeInt64 CountUnits(const unsigned int* cell) const;
   vtkTypeInt64 GetLayoutBytes(const Layout& layout, const Rectangle& tile, vtkTypeInt64 units) const;
 
-  /// The units that fragments take that are spread evenly over pixels.
-  vtkTypeInt64 GetUnitsFor(vtkTypeInt64 fragments, vtkTypeInt64 pixels) const;
-
   /// Under the limit; -1 if not even a tile without any does.
   vtkTypeInt64 GetUnitsAllowed(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) const;
 
@@ -167,22 +159,18 @@ private:
   /// memory. Where units have to grow they grow to room, if there is memory.
   bool ReserveBuffers(vtkTypeInt64 units, vtkTypeInt64 room, const vtkTranslucencyCapabilities& capabilities);
 
-  /// The units that each cell may take.
-  std::vector<vtkTypeInt64> GetRanges(const TileLayout& layout) const;
-
   std::map<unsigned int, vtkTranslucencyBuffer> Buffers; // by their binding
   vtkTranslucencyBuffer Counters;
   vtkTranslucencyBuffer LayoutBlock;
 
   vtkTypeInt64 InitialFragments = 0;
   bool CountAccesses = false;
-  std::map<Rectangle, TileLayout> Layouts; // of the tiles of the last frames
+  std::unique_ptr<vtkCellRoom> Room;
   Rectangle Tile{ { 0, 0, 0, 0 } };
   double LimitBytes = 0;
   double BlockBytes = 0;
   vtkTypeInt64 UnitsAllowed = 0;
-  std::vector<vtkTypeInt64> Ranges; // of the current tile
-  vtkTypeInt64 Units = 0;           // that were needed
+  vtkTypeInt64 Units = 0; // that were needed
   vtkTypeInt64 Fragments = 0;
   vtkTypeInt64 FullestCell = 0; // fragments
   bool KeepsDrawOrder = false;

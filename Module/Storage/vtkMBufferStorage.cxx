@@ -45,9 +45,9 @@ void vtkMBufferStorage::SetSectionLength(int fragments)
 }
 
 //------------------------------------------------------------------------------
-void vtkMBufferStorage::BeginFrame(const vtkTranslucencyCapabilities& capabilities)
+void vtkMBufferStorage::BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities)
 {
-  this->Superclass::BeginFrame(capabilities);
+  this->Superclass::BeginFrame(boxes, capabilities);
   if (this->AutomaticSectionLength && this->LastPixels > 0)
   {
     const double mean = static_cast<double>(this->LastFragments) / static_cast<double>(this->LastPixels);

@@ -40,7 +40,7 @@ public:
   void SetSectionLength(int fragments) override;
 
   vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::MBuffer; }
-  void BeginFrame(const vtkTranslucencyCapabilities& capabilities) override;
+  void BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities) override;
 
 protected:
   vtkMBufferStorage() = default;

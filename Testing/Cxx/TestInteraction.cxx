@@ -12,6 +12,7 @@
 #include <vtkHardwareSelector.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
+#include <vtkLineSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProp3DCollection.h>
 #include <vtkPropPicker.h>
@@ -182,6 +183,70 @@ TEST_P(TestInteraction, MovingCameraReusesEveryBuffer)
     EXPECT_EQ(statistics->GetBytes(), bytes) << "frame " << frame;
   }
   EXPECT_GT(most, 1.5 * least);
+}
+
+//------------------------------------------------------------------------------
+// Where the balls' boxes lie tells how much room the first frame needs; what it held, how much the others do.
+TEST_P(TestInteraction, DrawsFirstFramesAndMovingViewsOnce)
+{
+  Balls balls(GetParam().Samples);
+  const auto pass = GetParam().New();
+  balls.SetPass(pass);
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    SCOPED_TRACE(frame);
+    if (frame == 20) // in a larger window, too
+    {
+      balls.Window->SetSize(330, 250);
+    }
+    balls.Renderer->GetActiveCamera()->Azimuth(9);
+    balls.Renderer->GetActiveCamera()->Dolly(frame % 20 < 10 ? 1.05 : 0.95);
+    balls.Renderer->ResetCameraClippingRange();
+    balls.Render();
+    EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 1);
+  }
+  vtkNew<vtkSphereSource> source; // a prop that is new
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(0.4);
+  balls.Renderer->AddActor(actor);
+  balls.Render();
+  EXPECT_EQ(pass->GetStatistics()->GetGeometryPasses(), 1);
+}
+
+//------------------------------------------------------------------------------
+// Boxes that are much larger than what is drawn in them.
+TEST_P(TestInteraction, GivesBackWhatTheFirstFrameTookTooMuch)
+{
+  View view(200, 160, GetParam().Samples);
+  const auto add = [&view](double y, double x1, double y1)
+  {
+    vtkNew<vtkLineSource> source;
+    source->SetPoint1(-1, y, 0);
+    source->SetPoint2(x1, y1, 0);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetOpacity(0.4);
+    view.Renderer->AddActor(actor);
+  };
+  for (int i = 0; i < 8; ++i)
+  {
+    add(-1, 1, 1 - 0.1 * i);
+  }
+  view.Renderer->ResetCamera();
+  const auto pass = GetParam().New();
+  view.SetPass(pass);
+  view.Render();
+  const vtkTypeInt64 first = pass->GetStatistics()->GetBytes();
+  view.Render();
+  const vtkTypeInt64 bytes = pass->GetStatistics()->GetBytes();
+  EXPECT_LT(bytes, first / 2);
+  view.Render();
+  EXPECT_EQ(pass->GetStatistics()->GetBytes(), bytes);
 }
 
 //------------------------------------------------------------------------------

@@ -543,7 +543,7 @@ TEST_F(TestStorageProperties, HoldNoMoreThanTheDriverCanFetch)
   const auto expectMost = [&](vtkFragmentStorage* storage, int units)
   {
     SCOPED_TRACE(storage->GetClassName());
-    storage->BeginFrame(capabilities);
+    storage->BeginFrame({}, capabilities);
     EXPECT_TRUE(storage->Fits(units, viewport, capabilities));
     EXPECT_FALSE(storage->Fits(units + 1, viewport, capabilities));
   };
