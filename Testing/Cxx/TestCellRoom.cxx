@@ -192,9 +192,9 @@ TEST(TestCellRoom, ForeseesWhereBoxesWillLie)
     return room.FinishTile(units, taken);
   };
   draw(Node);
-  places = { 0, 0, 0 };
+  places = { 0.2, 0.2, 0.2 };
   EXPECT_TRUE(draw(Node));
-  places.push_back(0);
+  places.push_back(0.2);
   EXPECT_TRUE(draw(Node));
   places = { -0.6, 0, 0.6 };
   draw({ 4, 0 });
