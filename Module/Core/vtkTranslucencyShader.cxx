@@ -68,7 +68,7 @@ bool vtkTranslucencyShader::Assemble(
   this->Error.clear();
   this->Files.clear();
   this->Selected = selection;
-  this->Depth = 0;
+  this->Open.clear();
   std::string head;
   if (!this->Append(file, "", 0) || !this->Define(required, true, head) || !this->Define(offered, false, head))
   {
@@ -101,8 +101,7 @@ bool vtkTranslucencyShader::Define(const Defines& defines, bool required, std::s
 //------------------------------------------------------------------------------
 bool vtkTranslucencyShader::Append(const std::string& file, const std::string& includer, int line)
 {
-  constexpr int Deepest = 16;
-  if (++this->Depth > Deepest)
+  if (std::find(this->Open.begin(), this->Open.end(), file) != this->Open.end())
   {
     this->Error = "shader " + file + " includes itself, by way of " + includer;
     return false;
@@ -114,12 +113,15 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
       (includer.empty() ? "" : " (included by " + includer + ":" + std::to_string(line) + ")");
     return false;
   }
-  auto at = std::find(this->Files.begin(), this->Files.end(), file);
-  if (at == this->Files.end())
+  // A file stands once in a text, so that drivers need not read it again behind its include guard: that is most of the
+  // text of a resolve.
+  if (std::find(this->Files.begin(), this->Files.end(), file) != this->Files.end())
   {
-    at = this->Files.insert(at, file);
+    return true;
   }
-  const int number = FirstSource + static_cast<int>(at - this->Files.begin());
+  const int number = FirstSource + static_cast<int>(this->Files.size());
+  this->Files.push_back(file);
+  this->Open.push_back(file);
 
   const auto mark = [&](int next)
   {
@@ -150,7 +152,7 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
       this->Text += text + "\n";
     }
   }
-  --this->Depth;
+  this->Open.pop_back();
   return true;
 }
 

@@ -65,7 +65,7 @@ private:
   std::string Text;
   std::string Error;
   Selection Selected;
-  int Depth = 0;                  // of includes
+  std::vector<std::string> Open;  // files whose text has begun and not ended
   std::vector<std::string> Files; // index + FirstSource = the #line directive's source number
 };
 

@@ -7,6 +7,9 @@
 #ifndef LoadBlock_glsl
 #define LoadBlock_glsl
 #include "Common/Fragment.glsl"
+#if SAMPLES == 1 // where all fragments cover the same
+#define SORTS_CARRIED 0
+#endif
 #include "Common/SortBlock.glsl"
 #include "Storage/Selected.glsl"
 

@@ -11,6 +11,9 @@
 // A network does not keep the order of equals. EQUAL_DEPTHS 1 decides between them (Order.glsl), which takes twice the
 // steps; EQUAL_DEPTHS 0 does not, and hasEqualDepths tells afterwards whether it would have been needed.
 //
+// What nobody looks at afterwards need not be exchanged, SORTS_COLORS 0 or SORTS_CARRIED 0: compilers find that out, too,
+// but late, and the networks are most of what they have to do for a first frame.
+//
 // Needs: BLOCK_SIZE (8, 16 or 32), EQUAL_DEPTHS, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: Block, emptyBlock,
 // sortBlock, hasEqualDepths.
 #ifndef SortBlock_glsl
@@ -44,32 +47,49 @@ void emptyBlock(OUT(Block) block)
   }
 }
 
-#define EXCHANGE_IF(swapped, type, array, i, j) \
-  { \
-    type nearer = swapped ? block.array[j] : block.array[i]; \
-    block.array[j] = swapped ? block.array[i] : block.array[j]; \
-    block.array[i] = nearer; \
-  }
-
-#if EQUAL_DEPTHS
-#define COMPARE(i, j) \
-  { \
-    bool swapped = inFront(block.depth[j], block.color[j], block.age[j], block.depth[i], \
-      block.color[i], block.age[i]); \
-    EXCHANGE_IF(swapped, float, depth, i, j) \
-    EXCHANGE_IF(swapped, PackedColor, color, i, j) \
-    EXCHANGE_IF(swapped, uint, age, i, j) \
-    EXCHANGE_IF(swapped, uint, carried, i, j) \
-  }
-#else
-#define COMPARE(i, j) \
-  { \
-    bool swapped = block.depth[j] < block.depth[i]; \
-    EXCHANGE_IF(swapped, float, depth, i, j) \
-    EXCHANGE_IF(swapped, PackedColor, color, i, j) \
-    EXCHANGE_IF(swapped, uint, carried, i, j) \
-  }
+#ifndef SORTS_COLORS
+#define SORTS_COLORS 1
 #endif
+#ifndef SORTS_CARRIED
+#define SORTS_CARRIED 1
+#endif
+
+#define EXCHANGE_IF(swapped, type, array) \
+  { \
+    type a = block.array[I]; \
+    type b = block.array[J]; \
+    block.array[I] = swapped ? b : a; \
+    block.array[J] = swapped ? a : b; \
+  }
+#if SORTS_COLORS
+#define EXCHANGE_COLOR(swapped) EXCHANGE_IF(swapped, PackedColor, color)
+#else
+#define EXCHANGE_COLOR(swapped)
+#endif
+#if SORTS_CARRIED
+#define EXCHANGE_CARRIED(swapped) EXCHANGE_IF(swapped, uint, carried)
+#else
+#define EXCHANGE_CARRIED(swapped)
+#endif
+#if EQUAL_DEPTHS
+#define EXCHANGE_AGE(swapped) EXCHANGE_IF(swapped, uint, age)
+#define IN_FRONT(j, i) \
+  inFront(block.depth[j], block.color[j], block.age[j], block.depth[i], block.color[i], block.age[i])
+#else
+#define EXCHANGE_AGE(swapped)
+#define IN_FRONT(j, i) block.depth[j] < block.depth[i]
+#endif
+
+#define COMPARE(i, j) \
+  { \
+    const int I = i; \
+    const int J = j; \
+    bool swapped = IN_FRONT(J, I); \
+    EXCHANGE_IF(swapped, float, depth) \
+    EXCHANGE_COLOR(swapped) \
+    EXCHANGE_AGE(swapped) \
+    EXCHANGE_CARRIED(swapped) \
+  }
 
 // MERGE_n(i, s): merges the two sorted halves of the n elements i, i + s, i + 2s, ...
 #define MERGE_2(i, s) COMPARE((i), (i) + (s))
@@ -107,10 +127,9 @@ void sortBlock(INOUT(Block) block)
   SORT_16(16)
   MERGE_16(0, 2)
   MERGE_16(1, 2)
-  for (int i = 1; i < 31; i += 2)
-  {
-    COMPARE(i, i + 1)
-  }
+  COMPARE(1, 2) COMPARE(3, 4) COMPARE(5, 6) COMPARE(7, 8) COMPARE(9, 10)
+  COMPARE(11, 12) COMPARE(13, 14) COMPARE(15, 16) COMPARE(17, 18) COMPARE(19, 20)
+  COMPARE(21, 22) COMPARE(23, 24) COMPARE(25, 26) COMPARE(27, 28) COMPARE(29, 30)
 #endif
 }
 

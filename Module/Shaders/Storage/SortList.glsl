@@ -16,6 +16,10 @@
 #define SortList_glsl
 #define BLOCK_SIZE 32
 #define EQUAL_DEPTHS 1
+#include "Common/Order.glsl"
+#if FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN // colours decide nothing, and are not read
+#define SORTS_COLORS 0
+#endif
 #include "Common/SortBlock.glsl"
 #include "Storage/Selected.glsl"
 
