@@ -11,8 +11,8 @@
 // A network does not keep the order of equals. EQUAL_DEPTHS 1 decides between them (Order.glsl), which takes twice the
 // steps; EQUAL_DEPTHS 0 does not, and hasEqualDepths tells afterwards whether it would have been needed.
 //
-// What nobody looks at afterwards need not be exchanged, SORTS_COLORS 0 or SORTS_CARRIED 0: compilers find that out, too,
-// but late, and the networks are most of what they have to do for a first frame.
+// What nobody looks at afterwards need not be exchanged, SORTS_COLORS 0 or SORTS_CARRIED 0: compilers find that out,
+// too, but late, and the networks are most of what they have to do for a first frame.
 //
 // Needs: BLOCK_SIZE (8, 16 or 32), EQUAL_DEPTHS, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: Block, emptyBlock,
 // sortBlock, hasEqualDepths.
