@@ -13,11 +13,14 @@
 #include <vtkSphereSource.h>
 #include <vtkTranslucencyCapabilities.h>
 #include <vtkTranslucencyFactory.h>
+#include <vtkTranslucencyOption.h>
 #include <vtkTranslucencyPass.h>
 
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
 #endif
+
+#include <algorithm>
 
 namespace
 {
@@ -162,12 +165,21 @@ void PrintTo(const Way& way, std::ostream* os)
 //------------------------------------------------------------------------------
 std::vector<Way> AllWays()
 {
-  std::vector<Way> ways{ { "adaptive", "memory", "fixed" }, { "fourier", "memory", "fixed" },
-    { "shadowmap", "memory", "fixed" }, { "peel", "method", "front-to-back" }, { "peel", "method", "bucket-sort" },
+  std::vector<Way> ways{ { "peel", "method", "front-to-back" }, { "peel", "method", "bucket-sort" },
     { "sorted", "order", "centroid" } };
   for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
   {
-    ways.push_back({ vtkTranslucencyFactory::GetTechniqueName(i), "", "" });
+    const std::string name = vtkTranslucencyFactory::GetTechniqueName(i);
+    ways.push_back({ name, "", "" });
+    const auto pass = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(name));
+    auto* own = vtkTranslucencyPass::SafeDownCast(pass);
+    const std::vector<vtkTranslucencyOption> options = own ? own->GetOptions() : std::vector<vtkTranslucencyOption>();
+    const bool hasMemories = std::any_of(
+      options.begin(), options.end(), [](const vtkTranslucencyOption& option) { return option.Keyword == "memory"; });
+    if (hasMemories)
+    {
+      ways.push_back({ name, "memory", "fixed" });
+    }
   }
   return ways;
 }

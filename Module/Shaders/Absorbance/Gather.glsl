@@ -11,13 +11,14 @@
 // - 2: outputs[0] is vis(z) * opacity * colour, with the opacity in alpha, by which blending multiplies the total
 //   transmittance; outputs[1] is vis(z) * opacity.
 //
-// Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, GATHER_OUTPUTS,
-// TARGET_SAMPLES.  Gives: gatherFragment.
+// Needs: Basis, basisAt, prepareTerms, absorbanceInFront, ABSORBANCE_BOUNDS, GATHER_OUTPUTS, TARGET_SAMPLES.  Gives:
+// gatherFragment.
 #ifndef GATHER_OUTPUTS
 #error "Absorbance/Gather.glsl needs GATHER_OUTPUTS"
 #endif
 #include "Absorbance/FetchTerms.glsl"
 #include "Absorbance/Range.glsl"
+#include "Absorbance/Visibility.glsl"
 
 uniform int gatherStage;
 #if ABSORBANCE_BOUNDS == ABSORBANCE_BOUNDS_FRAGMENTS
@@ -45,7 +46,7 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
   {
     Terms terms;
     fetchTerms(pixel, terms);
-    integrateTerms(terms);
+    prepareTerms(terms);
     float weight = visibilityOf(terms, basis, absorbance) * color.a;
     outputs[0] = vec4(weight * color.rgb, color.a);
     outputs[1] = vec4(weight);

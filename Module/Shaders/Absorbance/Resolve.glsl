@@ -42,7 +42,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
     count += isThere(surface) ? 1u : 0u;
   }
   unread |= cursor;
-  integrateTerms(sums.terms);
+  prepareTerms(sums.terms);
   cursor = firstFragment(pixel);
   while (nextFragment(cursor, fragment))
   {

@@ -44,7 +44,7 @@ bool resolvePixel(ivec2 pixel, inout vec3 color, inout Channels transmittance)
   {
     absorb(sums, block.depth[i], surfaces[i].opacity);
   }
-  integrateTerms(sums.terms);
+  prepareTerms(sums.terms);
   for (int i = 0; i < BLOCK_SIZE; ++i)
   {
     weigh(sums, block.depth[i], surfaces[i]);

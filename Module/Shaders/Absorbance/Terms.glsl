@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Absorbance/Terms.glsl: visibility from sums over the fragments of a pixel.
+// Absorbance/Terms.glsl: sums over the fragments of a pixel, from which visibility is reconstructed.
 //
 // A fragment's absorbance is -ln(1 - opacity): those of the fragments in front add up, and vis(z) = exp(-sum) (Salvi
 // 2011, Eq. 4). Which of them are in front is told from a fixed number of sums, the terms: a fragment of absorbance a
-// at depth z adds a * density(z) to them. When they are complete, integrateTerms makes them weights and an offset, and
-// the absorbance in front of z is the offset and the scalar product of the weights with integral(z). A technique gives
-// these vectors (Fourier/Series.glsl, OpacityShadowMap/Slices.glsl). Since all of this is linear, what a fragment has
-// added itself is taken out again before it asks: nothing hides itself (H(0) = 0 in Eq. 5).
+// at depth z adds a * density(z) to them, a vector that a technique gives. When they are complete, the technique
+// reconstructs from them what lies in front of a depth: linearly (Absorbance/Linear.glsl), or in a way of its own, as
+// from moments. Where that is linear, what a fragment has added itself is taken out again before it asks: nothing hides
+// itself (H(0) = 0 in Eq. 5).
 //
 // An opaque fragment would absorb without end. No absorbance is more than ln(1024): what is behind shows through by
 // less than a quarter of 1/255.
@@ -17,8 +17,8 @@
 //
 // Valid C++, too.
 //
-// Needs: TERM_VECTORS (1 to 8), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Basis, Terms, TermVector,
-// integrate, weighted, absorbanceOf, relativeDepth, clearTerms, addToTerms, visibilityOf.
+// Needs: TERM_VECTORS (1 to 8), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Terms, TermVector, spread,
+// integrate, weighted, absorbanceOf, relativeDepth, clearTerms.
 #ifndef Terms_glsl
 #define Terms_glsl
 #define VECTOR_COUNT TERM_VECTORS
@@ -27,15 +27,6 @@
 #include "Common/Language.glsl"
 
 #define LEAST_TRANSMITTANCE (1.0f / 1024.0f)
-
-// Of a depth. What is not in use of the last vector is 0. own is how much of what is added at this depth seems to lie
-// in front of it.
-struct Basis
-{
-  vec4 density[TERM_VECTORS];
-  vec4 integral[TERM_VECTORS];
-  float own;
-};
 
 // Four sums of each channel, what a fragment adds to them, the scalar product of each channel's with four of a basis,
 // and each times a weight of its own.
@@ -78,7 +69,7 @@ TermVector weighted(TermVector sums, vec4 weights)
 struct Terms
 {
   TermVector sums[TERM_VECTORS];
-  Channels offset; // of integrated terms
+  Channels offset; // of reconstructions that have one
 };
 
 Channels absorbanceOf(Channels alpha)
@@ -98,21 +89,6 @@ void clearTerms(OUT(Terms) terms)
 {
 #define CLEAR_TERMS(i) terms.sums[i] = TermVector(0.0f);
   EACH_VECTOR(CLEAR_TERMS)
-}
-
-void addToTerms(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
-{
-#define ADD_TO_TERMS(i) terms.sums[i] += spread(basis.density[i], absorbance);
-  EACH_VECTOR(ADD_TO_TERMS)
-}
-
-// vis at the depth of a fragment that has added this absorbance, from integrated terms.
-Channels visibilityOf(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
-{
-  Channels inFront = terms.offset - basis.own * absorbance;
-#define ADD_IN_FRONT(i) inFront += integrate(terms.sums[i], basis.integral[i]);
-  EACH_VECTOR(ADD_IN_FRONT)
-  return exp(-max(inFront, 0.0f)); // a truncated series may fall below 0
 }
 
 #endif

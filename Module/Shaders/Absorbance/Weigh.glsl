@@ -6,11 +6,12 @@
 // A Range grows to the nearest and the farthest depth; the terms take the fragments; and their colours are summed,
 // weighted with vis(z) and opacity. Fragments that don't cover the sample have opacity 0 and change nothing.
 //
-// Needs: basisAt, integrateTerms and what Absorbance/Terms.glsl gives, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives:
+// Needs: Basis, basisAt, prepareTerms, absorbanceInFront, ABSORBANCE_BOUNDS, ALPHA_CORRECTION.  Gives:
 // Sums, clearSums, isThere, bound, absorb, weigh, colorOf, and what Absorbance/Range.glsl gives.
 #ifndef Weigh_glsl
 #define Weigh_glsl
 #include "Absorbance/Range.glsl"
+#include "Absorbance/Visibility.glsl"
 #include "Common/AlphaCorrection.glsl"
 #include "Common/Fragment.glsl"
 

@@ -13,8 +13,8 @@
 //
 // Valid C++, too.
 //
-// Needs: FOURIER_COEFFICIENTS (1 to 15): pairs of cosine and sine.  Gives: TERM_VECTORS, what Absorbance/Terms.glsl
-// gives, basisAt, integrateTerms.
+// Needs: FOURIER_COEFFICIENTS (1 to 15): pairs of cosine and sine.  Gives: TERM_VECTORS, what Absorbance/Linear.glsl
+// gives, basisAt, prepareTerms.
 #ifndef Series_glsl
 #define Series_glsl
 #ifndef FOURIER_COEFFICIENTS
@@ -22,7 +22,7 @@
 #endif
 
 #define TERM_VECTORS ((2 * FOURIER_COEFFICIENTS + 1 + 3) / 4)
-#include "Absorbance/Terms.glsl"
+#include "Absorbance/Linear.glsl"
 
 #define FOURIER_MARGIN (0.5f / float(FOURIER_COEFFICIENTS + 1))
 #define FOURIER_PI 3.14159265358979f
@@ -81,7 +81,7 @@ void basisAt(float depth, OUT(Basis) basis)
 }
 
 // The weights of sin(2 pi k x) and of cos(2 pi k x) in the integral, and what it has in front of every x.
-void integrateTerms(INOUT(Terms) terms)
+void prepareTerms(INOUT(Terms) terms)
 {
   vec4 weights;
   terms.offset = Channels(0.0f);

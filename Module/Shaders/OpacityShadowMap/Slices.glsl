@@ -9,7 +9,7 @@
 //
 // Valid C++, too.
 //
-// Needs: SLICES (1 to 32).  Gives: TERM_VECTORS, what Absorbance/Terms.glsl gives, basisAt, integrateTerms.
+// Needs: SLICES (1 to 32).  Gives: TERM_VECTORS, what Absorbance/Linear.glsl gives, basisAt, prepareTerms.
 #ifndef Slices_glsl
 #define Slices_glsl
 #ifndef SLICES
@@ -17,7 +17,7 @@
 #endif
 
 #define TERM_VECTORS ((SLICES + 3) / 4)
-#include "Absorbance/Terms.glsl"
+#include "Absorbance/Linear.glsl"
 
 void basisAt(float depth, OUT(Basis) basis)
 {
@@ -32,7 +32,7 @@ void basisAt(float depth, OUT(Basis) basis)
 }
 
 // Slices are weighed by what the depth has passed of them, and by nothing else.
-void integrateTerms(INOUT(Terms) terms)
+void prepareTerms(INOUT(Terms) terms)
 {
   terms.offset = Channels(0.0f);
 }
