@@ -70,8 +70,11 @@ public:
 struct StorageVariant
 {
   std::string Name;
+  std::string Storage; // the file of Shaders/Storage
   int ColorWords;
   int Samples;
+  bool CountsAccesses;
+  bool OwnSections; // of pixels
   std::unique_ptr<ConcurrentStorage> (*New)();
 };
 

@@ -139,6 +139,12 @@ std::uint32_t CountUnits(ConcurrentStorage& storage, int cell)
   return storage.GetWord(cell, CELL_NEXT) - storage.GetWord(cell, CELL_FIRST);
 }
 
+// As the application learns it.
+std::uint32_t CountFragments(ConcurrentStorage& storage, const StorageVariant& variant, int cell)
+{
+  return variant.Storage == "Sections" ? storage.GetWord(cell, CELL_FRAGMENTS) : CountUnits(storage, cell);
+}
+
 const StorageVariant& StorageNamed(const std::string& name)
 {
   const auto& all = StorageVariants();
@@ -214,11 +220,13 @@ TEST_P(TestConcurrentStorage, KeepsEachFragmentOnce)
   this->Storage->Begin(Tile, counts); // a fragment takes a unit at most
   StoreAll(*this->Storage, GetParam());
   ExpectAll(*this->Storage, GetParam());
-  const bool sections = GetParam().Name.find("Sections") == 0;
-  for (std::size_t cell = 0; cell < counts.size(); ++cell)
+  const std::vector<std::uint32_t> pixels{ 4, 2, 2, 1 };
+  for (int cell = 0; cell < 4; ++cell)
   {
-    EXPECT_EQ(sections ? this->Storage->GetWord(cell, CELL_FRAGMENTS) : CountUnits(*this->Storage, cell), counts[cell]);
+    EXPECT_EQ(CountFragments(*this->Storage, GetParam(), cell), counts[cell]);
     EXPECT_LE(CountUnits(*this->Storage, cell), counts[cell]);
+    EXPECT_EQ(this->Storage->GetWord(cell, CELL_PIXELS), GetParam().OwnSections ? pixels[cell] : 0u);
+    EXPECT_EQ(this->Storage->GetWord(cell, CELL_STORES), GetParam().CountsAccesses ? counts[cell] : 0u);
   }
 }
 
@@ -234,6 +242,7 @@ TEST_P(TestConcurrentStorage, CountsToTheEndWhatFindsNoRoom)
   {
     this->Storage->Begin(TileOfOneCell, { room });
     StoreAll(*this->Storage, GetParam());
+    EXPECT_EQ(CountFragments(*this->Storage, GetParam(), 0), static_cast<std::uint32_t>(Fragments));
     needed = CountUnits(*this->Storage, 0);
     if (needed > room)
     {
@@ -315,6 +324,15 @@ TEST(TestHelperInvocations, DoNotWaitForALock)
   records->TakeLock(Tile.X, Tile.Y);
   records->Draw(Tile.X, Tile.Y, 0.5f, 1.0f, Opacity, true);
   EXPECT_TRUE(records->Read(Tile.X, Tile.Y).Depths.empty());
+}
+
+TEST(TestHelperInvocations, StoreNothingInSections)
+{
+  const auto storage = StorageNamed("Sections4").New();
+  storage->Begin(TileOfOneCell, { Fragments });
+  storage->Store(FragmentOf(StorageNamed("Sections4"), 0), true);
+  EXPECT_TRUE(ReadAll(*storage).empty());
+  EXPECT_EQ(storage->GetWord(0, CELL_FRAGMENTS), 0u);
 }
 
 //------------------------------------------------------------------------------
