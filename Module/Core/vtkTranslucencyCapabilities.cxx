@@ -82,6 +82,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   result.MissingForBuffers = missing({ "GL_ARB_draw_buffers_blend", "GL_ARB_explicit_attrib_location" });
   result.MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
   result.MissingForFetch = missing({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_explicit_attrib_location" });
+  result.MissingForRetries = missing({ "GL_ARB_ES3_1_compatibility" }); // gl_HelperInvocation
   GLint drawn = 0;
   GLint attached = 0;
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &drawn);

@@ -38,6 +38,10 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// has none.
   std::string Interlock;
 
+  /// What shaders need that try an atomic operation again until it succeeds, in the same way: to know helper
+  /// invocations, which get undefined results from atomic operations and might try for ever.
+  std::string MissingForRetries;
+
   /// True where one of Mesa's software rasterizers draws, where a test that the hardware of a GPU does for nothing
   /// takes its time.
   bool Software = false;

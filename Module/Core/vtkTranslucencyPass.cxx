@@ -239,8 +239,14 @@ vtkTranslucencyOption vtkTranslucencyPass::GetCriticalSectionOption()
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyPass::GetMissingForCriticalSection(vtkOpenGLRenderWindow* window)
 {
-  const bool lacking = this->CriticalSection == Interlock && this->GetCapabilities(window).Interlock.empty();
-  return lacking ? "GL_ARB_fragment_shader_interlock" : "";
+  const vtkTranslucencyCapabilities& capabilities = this->GetCapabilities(window);
+  if (this->CriticalSection == Interlock)
+  {
+    return capabilities.Interlock.empty() ? "GL_ARB_fragment_shader_interlock" : "";
+  }
+  const bool locks = this->CriticalSection == Spinlock ||
+    (this->CriticalSection == Automatic && !capabilities.KeepsDrawOrder && capabilities.Interlock.empty());
+  return locks ? capabilities.MissingForRetries : "";
 }
 
 //------------------------------------------------------------------------------

@@ -100,8 +100,9 @@ public:
    * How fragments of one pixel are kept from changing its record at the same time, where a technique keeps records of
    * bounded size (Shaders/CriticalSection): Automatic (the default) takes Unprotected on software rasterizers, which
    * shade them one after the other, Interlock where the driver has an extension for it, and Spinlock elsewhere.
-   * Interlock keeps the order of drawing, Spinlock does not. Unprotected on a GPU loses fragments: for trials. Another
-   * value is an error and changes nothing.
+   * Interlock keeps the order of drawing, Spinlock does not, and wants GL_ARB_ES3_1_compatibility, so that helper
+   * invocations don't wait. Unprotected on a GPU loses fragments: for trials. Another value is an error and changes
+   * nothing.
    */
   void SetCriticalSection(int section);
   vtkGetMacro(CriticalSection, int);

@@ -152,6 +152,15 @@ std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFragmentListPass::GetMissing(vtkOpenGLRenderWindow* window)
+{
+  const std::string missing = this->Superclass::GetMissing(window);
+  const vtkTranslucencyCapabilities& capabilities = this->GetCapabilities(window);
+  const bool retries = vtkSectionStorage::SafeDownCast(this->Storage) && !capabilities.KeepsDrawOrder;
+  return missing.empty() && retries ? capabilities.MissingForRetries : missing;
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkFragmentListPass::GetTechniqueBytes()
 {
   return this->Storage->GetBytes();

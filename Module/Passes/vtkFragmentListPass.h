@@ -58,6 +58,11 @@ public:
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
 
+  /**
+   * The T-buffer and the M-buffer want one extension more where fragments of a pixel come in any order.
+   */
+  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
+
 protected:
   vtkFragmentListPass();
   ~vtkFragmentListPass() override;

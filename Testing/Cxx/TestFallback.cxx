@@ -106,3 +106,44 @@ TEST_P(TestFallbackOfBuffers, IsNotForMethodsThatNeedNone)
 
 INSTANTIATE_TEST_SUITE_P(
   Techniques, TestFallbackOfBuffers, testing::Values("peel", "weighted"), [](const auto& info) { return info.param; });
+
+//------------------------------------------------------------------------------
+// Where fragments come in any order, and shaders can't tell helper invocations, which must not wait. CMakeLists.txt
+// runs this without the extension by which they can.
+class TestFallbackOfRetries : public TestFallback
+{
+protected:
+  void Draw(vtkTranslucencyPass* pass)
+  {
+    const AnalyticScene scene = RandomLayers(200, 160, 71, 20, 0.1, 0.6);
+    View view(scene);
+    view.SetPass(pass);
+    EXPECT_LE(Compare(view.Render(), scene.Compute(Reference::CompositeExact)).Largest, 4); // peeling: in bytes
+  }
+};
+
+TEST_F(TestFallbackOfRetries, IsForSpinLocksAndSections)
+{
+  for (const auto& pass :
+    { NewTechnique("exact", { { "storage", "t-buffer" } }), NewTechnique("exact", { { "storage", "m-buffer" } }),
+      NewTechnique("mlab", { { "critical_section", "spinlock" } }), NewTechnique("mlab"),
+      NewTechnique("peel", { { "method", "bucket-sort" } }), NewTechnique("adaptive", { { "memory", "fixed" } }) })
+  {
+    this->Draw(pass);
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "peeling");
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find("lacks " + this->Extension), std::string::npos) << messages[0];
+  }
+}
+
+TEST_F(TestFallbackOfRetries, IsNotForListsAndQueues)
+{
+  for (const char* storage : { "linked-list", "r-buffer" })
+  {
+    const auto pass = NewTechnique("exact", { { "storage", storage } });
+    this->Draw(pass);
+    EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+    EXPECT_TRUE(TakeMessages().empty());
+  }
+}

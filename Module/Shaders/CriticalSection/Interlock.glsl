@@ -7,7 +7,7 @@
 // The extensions want the section's two ends in main, outside of any branch: that is where Core writes BEGIN_ and
 // END_CRITICAL_SECTION. Between them, what an earlier fragment of the pixel wrote to coherent memory is seen by the
 // later one: both ends are barriers for it, so no memoryBarrier is needed. Intel's section has no end: it lasts to the
-// end of the shader.
+// end of the shader. A fragment may have been discarded before, which the extensions allow.
 //
 // Needs: nothing.  Gives: CRITICAL_MEMORY, CRITICAL_SECTION, BEGIN_CRITICAL_SECTION, END_CRITICAL_SECTION
 // (Spinlock.glsl says what they are).

@@ -18,12 +18,18 @@
 // Coherent memory makes both visible to other multiprocessors, whose caches would hold old values otherwise.
 //
 // Helper invocations, which only serve derivatives, write nothing and get undefined results from atomic operations:
-// they must not wait.
+// they must not wait, so where a driver does not tell them there is no spin lock
+// (vtkTranslucencyCapabilities::MissingForRetries). A fragment that has been discarded is no such helper: discard ends
+// its shader there and then (GLSL 4.50, section 6.4), also before the lock, as a mapper's own shader does where nothing
+// is visible, and rejectFragment.
 //
-// Needs: pixelIndex (Common/Pixels.glsl).  Gives: CRITICAL_MEMORY, CRITICAL_SECTION, BEGIN_CRITICAL_SECTION,
-// END_CRITICAL_SECTION.
+// Needs: pixelIndex (Common/Pixels.glsl), GL_ARB_ES3_1_compatibility.  Gives: CRITICAL_MEMORY, CRITICAL_SECTION,
+// BEGIN_CRITICAL_SECTION, END_CRITICAL_SECTION.
 #ifndef CriticalSection_glsl
 #define CriticalSection_glsl
+#ifndef GL_ARB_ES3_1_compatibility
+#error "CriticalSection/Spinlock.glsl needs GL_ARB_ES3_1_compatibility, to know helper invocations"
+#endif
 #include "Common/Bindings.glsl"
 
 layout(std430, binding = STORAGE_BINDING_COUNTERS) coherent buffer PixelLocks
@@ -31,17 +37,11 @@ layout(std430, binding = STORAGE_BINDING_COUNTERS) coherent buffer PixelLocks
   uint pixelLocks[]; // one a pixel: 0 free, 1 taken
 };
 
-#ifdef GL_ARB_ES3_1_compatibility
-#define NEEDS_NO_LOCK gl_HelperInvocation
-#else
-#define NEEDS_NO_LOCK false
-#endif
-
 #define CRITICAL_MEMORY coherent
 #define CRITICAL_SECTION(pixel, statement) \
   { \
     uint lock = pixelIndex(pixel); \
-    bool done = NEEDS_NO_LOCK; \
+    bool done = gl_HelperInvocation; \
     while (!done) \
     { \
       if (atomicCompSwap(pixelLocks[lock], 0u, 1u) == 0u) \

@@ -11,6 +11,7 @@
 //
 // The limit only goes down while fragments come. So rejectFragment may read it without the critical section: an older
 // value is behind the newer one, and rejects nothing that the newer one would take. begin doesn't change.
+// What is discarded there doesn't come to the critical section (CriticalSection/Spinlock.glsl).
 //
 // Needs: BUCKETS, BUCKET_SIZE, PEEL_TAIL (whether what is left is averaged), SAMPLES, TRANSMITTANCE_CHANNELS.  Gives:
 // rejectFragment, gatherFragment.

@@ -17,17 +17,19 @@
 // Concurrency. Where the driver keeps the order of drawing, nobody else is at the pixel's entry. Elsewhere a place is
 // claimed by compare and swap of the whole entry: whoever finds it full takes a section from its cell, writes which one
 // came before, and then offers it; the others read that only behind the application's barrier. No invocation waits for
-// another one: a swap fails only if another one's has succeeded. Taking the old entry for the new one of another
-// section is not possible, since sections are not given back. Who has taken a section, but found a place in somebody
-// else's, leaves its own empty until the next frame: room is lost, no fragment ever. Sections behind the one that is
-// being filled are full.
+// another one: a swap fails only if another one's has succeeded. Helper invocations, whose swaps change nothing and
+// give undefined results, would not come to an end by that: they store nothing. Taking the old entry for the new one of
+// another section is not possible, since sections are not given back. Who has taken a section, but found a place in
+// somebody else's, leaves its own empty until the next frame: room is lost, no fragment ever. Sections behind the one
+// that is being filled are full.
 //
 // Links. Sorting and volumes change the order of a pixel's fragments: those that have been moved have a link of their
 // own, which the cursor's highest bit tells. NODE_LINKS is 0 where there are none, 1 where lists are moved that have
 // not been before, 2 where some have been.
 //
 // Needs: SECTION_LENGTH, SECTION_FREE_BITS (the bits of what may be free), OWN_SECTIONS, NODE_LINKS, COLOR_FORMAT,
-// SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES.
+// SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES; GL_ARB_ES3_1_compatibility, where fragments come in
+// any order.
 // Gives: what Shaders/README.md asks of a storage.
 #ifndef Sections_glsl
 #define Sections_glsl
@@ -267,6 +269,12 @@ uint claimPlace(uint at, uint counter)
 // depthExtent is how far the fragment's depth reaches within the pixel.
 void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 {
+#if FRAGMENT_ORDER != FRAGMENT_ORDER_DRAWN
+  if (gl_HelperInvocation)
+  {
+    return;
+  }
+#endif
   uint places = (cellUnits + ownSections()) * uint(SECTION_LENGTH);
   uint at = headIndex(pixel);
 #if MERGES_SAMPLES
