@@ -69,8 +69,9 @@ bool vtkTranslucencyShader::Assemble(
   this->Files.clear();
   this->Selected = selection;
   this->Open.clear();
+  this->Whole.clear();
   std::string head;
-  if (!this->Append(file, "", 0) || !this->Define(required, true, head) || !this->Define(offered, false, head))
+  if (!this->Append(file, "", 0, false) || !this->Define(required, true, head) || !this->Define(offered, false, head))
   {
     return false;
   }
@@ -99,7 +100,7 @@ bool vtkTranslucencyShader::Define(const Defines& defines, bool required, std::s
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyShader::Append(const std::string& file, const std::string& includer, int line)
+bool vtkTranslucencyShader::Append(const std::string& file, const std::string& includer, int line, bool conditional)
 {
   if (std::find(this->Open.begin(), this->Open.end(), file) != this->Open.end())
   {
@@ -113,14 +114,22 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
       (includer.empty() ? "" : " (included by " + includer + ":" + std::to_string(line) + ")");
     return false;
   }
-  // A file stands once in a text, so that drivers need not read it again behind its include guard: that is most of the
-  // text of a resolve.
-  if (std::find(this->Files.begin(), this->Files.end(), file) != this->Files.end())
+  // Once a text has a file under no condition, drivers need not read it again behind its include guard: that was most
+  // of the text of a resolve.
+  if (std::find(this->Whole.begin(), this->Whole.end(), file) != this->Whole.end())
   {
     return true;
   }
-  const int number = FirstSource + static_cast<int>(this->Files.size());
-  this->Files.push_back(file);
+  if (!conditional)
+  {
+    this->Whole.push_back(file);
+  }
+  auto at = std::find(this->Files.begin(), this->Files.end(), file);
+  if (at == this->Files.end())
+  {
+    at = this->Files.insert(at, file);
+  }
+  const int number = FirstSource + static_cast<int>(at - this->Files.begin());
   this->Open.push_back(file);
 
   const auto mark = [&](int next)
@@ -130,18 +139,23 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
   };
   mark(1);
   vtksys::RegularExpression include("^[ \t]*#[ \t]*include[ \t]+\"([^\"]+)\"");
+  vtksys::RegularExpression guard("^#ifndef [A-Za-z]+_glsl$");
+  vtksys::RegularExpression condition("^[ \t]*#[ \t]*if");
+  vtksys::RegularExpression conditionEnd("^[ \t]*#[ \t]*endif");
+  int conditions = 0; // that hold for a line, besides the guard
   std::istringstream lines(source);
   std::string text;
   for (int here = 1; std::getline(lines, text); ++here)
   {
-    if (include.find(text))
+    const bool directive = text.find('#') != std::string::npos; // a quick answer for most lines
+    if (directive && include.find(text))
     {
       std::string included = include.match(1);
       for (const auto& selected : this->Selected)
       {
         vtkShaderProgram::Substitute(included, selected.first + "/Selected", selected.first + "/" + selected.second);
       }
-      if (!this->Append(included, file, here))
+      if (!this->Append(included, file, here, conditional || conditions > 0))
       {
         return false;
       }
@@ -149,6 +163,8 @@ bool vtkTranslucencyShader::Append(const std::string& file, const std::string& i
     }
     else
     {
+      conditions += directive && condition.find(text) && !guard.find(text) ? 1 : 0;
+      conditions -= directive && conditionEnd.find(text) && conditions > 0 ? 1 : 0;
       this->Text += text + "\n";
     }
   }

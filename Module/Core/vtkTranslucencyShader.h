@@ -58,7 +58,7 @@ public:
   static std::string FreeOutputs(const std::string& text);
 
 private:
-  bool Append(const std::string& file, const std::string& includer, int line);
+  bool Append(const std::string& file, const std::string& includer, int line, bool conditional);
   bool Define(const Defines& defines, bool required, std::string& head);
   std::string NameSources(const std::string& log) const;
 
@@ -66,6 +66,7 @@ private:
   std::string Error;
   Selection Selected;
   std::vector<std::string> Open;  // files whose text has begun and not ended
+  std::vector<std::string> Whole; // that stand in the text under no condition
   std::vector<std::string> Files; // index + FirstSource = the #line directive's source number
 };
 
