@@ -111,6 +111,9 @@ public:
   virtual const char* GetRetrieval() const { return nullptr; }
   virtual std::array<int, 2> BeginRetrieval() { return { { 0, 0 } }; }
 
+  /// The most drawings that it may take.
+  virtual vtkTypeInt64 GetMostRetrievals() const { return 0; }
+
   /// Of storages whose fragments have no links: whether they have got some in this tile, because their order is
   /// changed.
   enum class Links

@@ -3,6 +3,7 @@
 #include "vtkTranslucencyCapabilities.h"
 
 #include "Common/Bindings.glsl"
+#include "vtkTranslucencyShader.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -34,6 +35,26 @@ std::set<std::string> Extensions()
 bool StartsWith(const std::string& text, const std::string& start)
 {
   return text.compare(0, start.size(), start) == 0;
+}
+
+// What the compiler says against a trial of Common/Trial.glsl, empty if nothing.
+std::string Refusal(const std::string& trial, const std::string& criticalSection = "None")
+{
+  vtkTranslucencyShader shader;
+  return shader.Assemble("Common/Trial.glsl", { { "TRIAL", trial } }, {}, { { "CriticalSection", criticalSection } }) &&
+      shader.Validate("")
+    ? ""
+    : shader.GetError().substr(0, shader.GetError().find_last_not_of('\n') + 1);
+}
+
+// Adds what the compiler refuses to what the driver lacks, where it lacks nothing else.
+void Try(const std::string& trial, const std::string& what, std::string& missing)
+{
+  if (missing.empty())
+  {
+    const std::string refusal = Refusal(trial);
+    missing = refusal.empty() ? "" : "a compiler for " + what + " (" + refusal + ")";
+  }
 }
 
 bool AnyDrawOrder()
@@ -83,6 +104,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   result.MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
   result.MissingForFetch = missing({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_explicit_attrib_location" });
   result.MissingForRetries = missing({ "GL_ARB_ES3_1_compatibility" }); // gl_HelperInvocation
+  Try("TRIAL_STORAGE", "storage blocks", result.MissingForStorage);
   GLint drawn = 0;
   GLint attached = 0;
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &drawn);
@@ -95,6 +117,13 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   }
   if (result.MissingForStorage.empty())
   {
+    Try("TRIAL_MASKS", "coverage masks", result.MissingForSamples);
+    Try("TRIAL_FETCH", "fetched colours", result.MissingForFetch);
+    if (!result.Interlock.empty() && !Refusal("TRIAL_INTERLOCK", "Interlock").empty())
+    {
+      result.Interlock.clear();
+    }
+
     GLint64 bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     result.MaximumBlockBytes =

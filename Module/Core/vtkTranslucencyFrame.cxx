@@ -170,7 +170,7 @@ bool vtkTranslucencyFrame::Retrieve()
   state->vtkglDisable(GL_MULTISAMPLE);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   bool any = true;
-  for (vtkTypeInt64 left = this->Storage->GetFragments(); any && left >= 0; --left) // a pass takes one away at least
+  for (vtkTypeInt64 left = this->Storage->GetMostRetrievals(); any && left > 0; --left)
   {
     any = vtkTranslucencyAnySamplesPass([this] { this->Resources.Programs.DrawVertices(GL_TRIANGLES, 3); });
     vtkTranslucencyBuffer::FinishStores();

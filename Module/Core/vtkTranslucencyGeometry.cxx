@@ -241,14 +241,15 @@ void vtkTranslucencyGeometry::DrawVolumes()
   const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), kept.GatherTime);
   this->PrepareDrawing();
   vtkTranslucencyVolumes& volumes = kept.Mappers->GetVolumes();
+  const int rounds = kept.Capabilities.KeepsDrawOrder ? 1 : this->Shaders.GetContext().Samples;
   for (vtkProp* prop : volumes.GetProps())
   {
     std::vector<vtkProp*> props{ prop };
     vtkRenderState one(this->State->GetRenderer());
     vtkTranslucencySetProps(one, props, this->State);
-    kept.Mappers->Draw(&one, [&] { volumes.Gather(&one); });
-    vtkTranslucencyBuffer::FinishStores(); // the next one changes the same lists
+    kept.Mappers->Draw(&one, [&] { volumes.Gather(&one, rounds); });
   }
+  vtkTranslucencyBuffer::FinishStores();
 }
 
 //------------------------------------------------------------------------------

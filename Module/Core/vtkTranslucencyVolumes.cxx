@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyVolumes.h"
 
+#include "vtkTranslucencyBuffer.h"
 #include "vtkTranslucencyShader.h"
 #include "vtkTranslucencyVTKVersion.h"
 
@@ -47,11 +48,14 @@ void vtkTranslucencyVolumes::Find(const vtkRenderState* state, vtkRenderPass* pa
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyVolumes::Gather(const vtkRenderState* one)
+void vtkTranslucencyVolumes::Gather(const vtkRenderState* one, int rounds)
 {
   this->Framebuffer = DrawFramebuffer();
   this->Gathered = false;
-  this->Pass->Render(one);
+  for (this->Round = 0; this->Round < rounds && (this->Round == 0 || this->Gathered); ++this->Round)
+  {
+    this->Pass->Render(one);
+  }
   vtkProp* prop = vtkTranslucencyProp(one, 0);
   const bool known = std::find(this->Others.begin(), this->Others.end(), prop) != this->Others.end();
   if (!this->Gathered && this->Pass->GetNumberOfRenderedProps() > 0 && !known)
@@ -134,4 +138,6 @@ void vtkTranslucencyVolumes::SetShaderParameters(vtkShaderProgram* program)
 {
   this->Gathered = DrawFramebuffer() == this->Framebuffer;
   program->SetUniformi("gathersVolume", this->Gathered ? 1 : 0);
+  vtkTranslucencyShader::SetUniforms(program, { { "gatherRound", this->Round } });
+  vtkTranslucencyBuffer::FinishStores(); // a block, volume or round before has changed the same lists
 }

@@ -42,8 +42,8 @@ public:
   /// What ray casters' shaders have to declare: Common/GatherVolume.glsl.
   void SetGatherText(const std::string& text) { this->GatherText = text; }
 
-  /// Draws a state of one volume, whose shader stores what it finds.
-  void Gather(const vtkRenderState* one);
+  /// Draws a state of one volume, whose shader stores what it finds, in so many rounds (Common/GatherVolume.glsl).
+  void Gather(const vtkRenderState* one, int rounds);
 
   /// Draws what is not among GetProps() or could not be gathered, over what is there. Gives what it was: empty if
   /// nothing.
@@ -62,6 +62,7 @@ private:
   std::string GatherText;
   int Framebuffer = 0;   // that is drawn to
   bool Gathered = false; // the volume that is being drawn
+  int Round = 0;
 };
 
 #endif

@@ -40,3 +40,19 @@ std::array<int, 2> vtkRBufferStorage::BeginRetrieval()
   this->ClearTable(); // which held what was drawn last
   return this->GetCells();
 }
+
+//------------------------------------------------------------------------------
+// A pass takes a fragment away at least, in a drawing for each part of its queue. The last drawing finds none.
+vtkTypeInt64 vtkRBufferStorage::GetMostRetrievals() const
+{
+  const vtkTypeInt64 fragments = this->GetFragments();
+  return fragments * (1 + fragments / this->QueueReads) + 1;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkRBufferStorage::GetDefines() const
+{
+  std::map<std::string, std::string> defines = this->Superclass::GetDefines();
+  defines["QUEUE_READS"] = std::to_string(this->QueueReads);
+  return defines;
+}

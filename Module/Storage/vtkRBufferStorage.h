@@ -35,6 +35,18 @@ public:
   const char* GetShaderName() const override;
   const char* GetRetrieval() const override;
   std::array<int, 2> BeginRetrieval() override;
+  vtkTypeInt64 GetMostRetrievals() const override;
+  std::map<std::string, std::string> GetDefines() const override;
+
+  ///@{
+  /**
+   * How many fragments of its queue an invocation reads in one drawing, 32768 by default. A pass over a longer queue
+   * takes several drawings: on a GPU one thread reads a few hundred thousand fragments a second, and drivers end a
+   * drawing that takes seconds. Another number than a positive one is taken for 1.
+   */
+  vtkSetClampMacro(QueueReads, int, 1, VTK_INT_MAX);
+  vtkGetMacro(QueueReads, int);
+  ///@}
 
 protected:
   vtkRBufferStorage() = default;
@@ -47,6 +59,8 @@ protected:
 private:
   vtkRBufferStorage(const vtkRBufferStorage&) = delete;
   void operator=(const vtkRBufferStorage&) = delete;
+
+  int QueueReads = 32768;
 };
 
 #endif

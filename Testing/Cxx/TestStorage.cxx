@@ -17,6 +17,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRBufferStorage.h>
 #include <vtkStorageAccounting.h>
 #include <vtkTBufferStorage.h>
 #include <vtkTranslucencyCapabilities.h>
@@ -378,6 +379,34 @@ TEST_F(TestStorageOrder, RBuffersFragmentsComeFromTheNearestOn)
     const auto lists = New(LinkedList, "adaptive", { { "nodes", std::to_string(nodes) } });
     view.SetPass(lists);
     EXPECT_GT(Compare(view.Render(), expected).Largest, nodes < 16 ? 2 : 1) << "the order matters";
+  }
+}
+
+// A pass over a queue is one, in however many drawings.
+TEST_F(TestStorageOrder, QueuesThatAreReadInPartsGiveTheSamePictureAndCounts)
+{
+  for (int samples : { 1, 4 })
+  {
+    SCOPED_TRACE(samples);
+    View view(RandomMosaic(40, 30, 62, 12, 0.02, 0.3), samples);
+    AddBall(view.Renderer, false, 20, 10, 0);
+    const auto whole = NewCounting(RBuffer.Options);
+    view.SetPass(whole);
+    const Picture expected = view.Render();
+    for (int most : { 8, 500 })
+    {
+      SCOPED_TRACE(most);
+      const auto parts = NewCounting(RBuffer.Options);
+      vtkRBufferStorage::SafeDownCast(parts->GetStorage())->SetQueueReads(most);
+      view.SetPass(parts);
+      EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+      EXPECT_EQ(parts->GetStatistics()->GetFallback(), "");
+      EXPECT_EQ(parts->GetStatistics()->GetFragments(), whole->GetStatistics()->GetFragments());
+      EXPECT_EQ(parts->GetReads(), whole->GetReads());
+      EXPECT_EQ(parts->GetSecondDepthAccesses(), whole->GetSecondDepthAccesses());
+      EXPECT_EQ(parts->GetFrameBufferAccesses(), whole->GetFrameBufferAccesses());
+      EXPECT_GT(parts->GetStatistics()->GetScreenPasses(), whole->GetStatistics()->GetScreenPasses());
+    }
   }
 }
 

@@ -5,8 +5,15 @@
 // segment gathers is stored as a fragment between the two.
 //
 // The pixel's list is in front-to-back order and stays so: a segment is put behind the fragment at which it begins. The
-// rays of one volume meet in no pixel; between volumes the application waits. The ray's samples lie where they lie
-// without surfaces, and each belongs to one segment: surfaces of opacity 0 would not change the picture.
+// ray's samples lie where they lie without surfaces, and each belongs to one segment: surfaces of opacity 0 would not
+// change the picture.
+//
+// Nobody else may be at the list. Between volumes, and between the blocks of one, the application waits
+// (vtkTranslucencyVolumes). Of the front faces of one box, no two cover the same sample, but with several samples a
+// pixel two triangles share the pixels along an edge, each with a ray for the samples that it covers. Where fragments
+// of a pixel come in any order the volume is drawn once for each sample: a fragment casts its ray in the round of the
+// first sample that it covers, which is another one for each fragment of the pixel. A lock would have to be held around
+// the whole ray, and an interlock is not everywhere.
 //
 // Needs: what the storage needs; RAY_FINDS_VALUES (1: isosurfaces, found between a sample and the one before it),
 // RAY_MEETS_PLANE (1: the ray has one sample, on a plane); the ray caster's declarations.
@@ -14,10 +21,14 @@
 #ifndef GatherVolume_glsl
 #define GatherVolume_glsl
 #include "Common/Gather.glsl"
+#include "Common/Order.glsl"
 
 #define NO_FRAGMENT 0u
 
 uniform int gathersVolume; // 0 where the ray caster does not draw into the picture: pixels are others there
+#if SAMPLES > 1 && FRAGMENT_ORDER != FRAGMENT_ORDER_DRAWN
+uniform int gatherRound;
+#endif
 
 vec4 WindowToNDC(const float xCoord, const float yCoord, const float zCoord); // the ray caster's
 
@@ -28,9 +39,18 @@ uint segmentRest; // and the first one behind that
 float segmentFront;
 float segmentBack;
 
+bool isOfRound()
+{
+#if SAMPLES > 1 && FRAGMENT_ORDER != FRAGMENT_ORDER_DRAWN
+  return findLSB(coveredSamples()) == gatherRound;
+#else
+  return true;
+#endif
+}
+
 void startSegments()
 {
-  segmentsLeft = gathersVolume != 0 && inTile(ivec2(gl_FragCoord.xy));
+  segmentsLeft = gathersVolume != 0 && isOfRound() && inTile(ivec2(gl_FragCoord.xy));
   segmentBefore = NO_FRAGMENT;
   segmentRest = segmentsLeft ? firstFragment(ivec2(gl_FragCoord.xy)) : NO_FRAGMENT;
   segmentBack = gl_FragCoord.z; // where the ray enters the volume

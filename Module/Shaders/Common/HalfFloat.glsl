@@ -5,7 +5,10 @@
 //
 // Drivers without an instruction for it (llvmpipe) write packHalf2x16 out for every sign, infinity and NaN, some 25
 // steps a number; of a scene that costs nothing to shade, that was a tenth of the frame's time. On a GPU these eight
-// steps are no loss: a gather waits for memory.
+// steps are no loss: a gather waits for memory. Nor would an instruction do the same: GLSL does not say how
+// packHalf2x16 rounds, AMD's cuts off what does not fit, and what is below HALF_SMALLEST_NORMAL may become 0 both ways.
+// Pictures would depend on the GPU, and what the CPU's tests say of this text would not hold there
+// (Documentation/Drivers.md).
 //
 // Numbers that a half float can't hold, above HALF_LARGEST, become that; negative ones and NaN become 0. Below
 // HALF_SMALLEST_NORMAL halves are multiples of 2^-24, as they should: adding that number to one of them shifts its bits

@@ -17,6 +17,7 @@
 #define CELL_FRAGMENTS 3u
 #define CELL_PIXELS 4u    // M-buffer: pixels that hold any
 #define CELL_INSERTED 5u  // fragments of volumes, which are stored from the range's end
+#define CELL_PUT_BACK 5u  // R-buffer, before that: in the middle of a pass the fragment that was put back last, or 0
 #define CELL_QUEUE 6u     // R-buffer: the fragment that is read first in the next pass
 #define CELL_PASSES 7u    // R-buffer: passes so far
 // Accesses, where they are counted. Those that may be many take two words.

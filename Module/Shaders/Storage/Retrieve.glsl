@@ -13,13 +13,19 @@
 // The state of a pixel, three bits, is the pass that its fragment was held in, modulo 8: until none of it is in the
 // queue, it is met in every pass. Nothing is shared: a pixel belongs to one cell, a cell to one invocation.
 //
-// Needs: FRAGMENT_ORDER, and what Storage/RBuffer.glsl needs.  Gives: main; the fragment is discarded when the cell's
-// queue is empty.
+// An invocation reads QUEUE_READS fragments, or up to 7 more. A pass over a longer queue takes several drawings: what
+// is unread is linked behind what was put back, whose last fragment the cell keeps. So a drawing ends before a driver
+// takes it for one that hangs, and where a driver ends a loop after a number of rounds, the next drawing goes on.
+//
+// Needs: QUEUE_READS, FRAGMENT_ORDER, and what Storage/RBuffer.glsl needs.  Gives: main; the fragment is discarded when
+// the cell's queue is empty.
 #include "Common/Order.glsl"
-#include "Common/Statistics.glsl"
 #include "Storage/RBuffer.glsl"
+#ifndef QUEUE_READS
+#error "Storage/Retrieve.glsl needs QUEUE_READS"
+#endif
 
-#define NODES_A_ROUND 8 // drivers may limit the rounds of a loop
+#define NODES_A_ROUND 8
 
 out vec4 fragOutput0;
 
@@ -70,12 +76,18 @@ void main()
   uint counter = counterOfCell(uvec2(cell));
   uint pass = cells[counter + CELL_PASSES];
   uint end = cells[counter + CELL_NEXT];
-  uint cursor = pass > 0u ? cells[counter + CELL_QUEUE] : cells[counter + CELL_FIRST] + 1u;
-  bool empty = cursor == 0u || cursor > end; // the last one's link leads to where the next one would have been
+  uint queue = cells[counter + CELL_QUEUE];
+  uint cursor = queue != 0u || pass > 0u ? queue : cells[counter + CELL_FIRST] + 1u;
   uint first = 0u;
-  uint last = 0u;
+  uint last = cells[counter + CELL_PUT_BACK];
+  if (last != 0u)
+  {
+    first = queue;
+    loadNode(last, cursor);
+  }
+  bool empty = cursor == 0u || cursor > end; // the last one's link leads to where the next one would have been
   uint read = 0u;
-  while (cursor != 0u && cursor <= end)
+  while (cursor != 0u && cursor <= end && read < uint(QUEUE_READS))
   {
     for (int i = 0; i < NODES_A_ROUND; ++i)
     {
@@ -107,8 +119,8 @@ void main()
       }
     }
   }
-  recordUnfinished(cursor <= end ? cursor : 0u);
-  first = putBack(first, last, 0u);
+  bool unread = cursor != 0u && cursor <= end;
+  first = putBack(first, last, unread ? cursor : 0u);
   if (!empty && first == 0u)
   {
     ivec2 corner = cell << cellShift;
@@ -127,7 +139,8 @@ void main()
   addAccesses(counter, CELL_FRAME_BUFFER, framesBuffered);
 #endif
   cells[counter + CELL_QUEUE] = first;
-  cells[counter + CELL_PASSES] = pass + 1u;
+  cells[counter + CELL_PUT_BACK] = unread ? last : 0u;
+  cells[counter + CELL_PASSES] = unread ? pass : pass + 1u;
   if (first == 0u)
   {
     discard;
