@@ -109,6 +109,7 @@ TEST_P(TestLifetime, FramesMakeNothingAnew)
   View& view = watched.Shown;
   view.SetPass(GetParam().New());
   view.Render();
+  view.Render(); // gives back what the first frame took too much
   Objects first = CountObjects(view);
   for (int frame = 0; frame < 5; ++frame)
   {
