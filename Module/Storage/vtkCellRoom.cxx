@@ -13,8 +13,7 @@ namespace
 constexpr int FramesMovingAfterOverflow = 30;
 constexpr int ReachWhileMoving = 2; // cells
 constexpr std::size_t TilesKept = 256;
-constexpr double FragmentsOfBox = 2;
-constexpr double MostGuessed = 16;   // fragments per pixel
+constexpr double MostForeseen = 16;  // fragments per pixel, on average
 constexpr double LeastToTell = 0.25; // of a cell that boxes have to cover to tell how dense they are
 
 int CellsAcross(int pixels, int shift)
@@ -56,6 +55,14 @@ std::int64_t GetExpectedUnits(
   constexpr double Rounding = 1e-6; // of sums
   return vtkCellRoom::GetUnitsFor(
     unit, static_cast<std::int64_t>(std::ceil(fragments + unused - Rounding)), pixelsOfCell);
+}
+
+// Units for as many fragments as boxes may let expect in all.
+std::int64_t GetMostForeseen(const vtkCellRoom::Rectangle& tile, const vtkCellRoom::Unit& unit)
+{
+  const auto [across, down] = vtkCellRoom::GetCells(tile);
+  const std::int64_t pixels = GetPixels(tile) * across * down;
+  return GetExpectedUnits(unit, MostForeseen * static_cast<double>(pixels), static_cast<double>(pixels), pixels);
 }
 
 // Of each cell the most of all within a reach.
@@ -148,6 +155,7 @@ void vtkCellRoom::BeginTile(const Rectangle& tile, const Unit& unit, std::int64_
     this->Drawn.push_back(tile);
   }
   this->Covered = this->GetCovered(tile);
+  this->FragmentsOfBox = unit.FragmentsOfBox;
   if (this->Tiles.count(tile) == 0)
   {
     Units counts = initial > 0 ? Spread(tile, unit, initial) : this->Guess(tile, unit, allowed);
@@ -218,8 +226,7 @@ vtkCellRoom::Units vtkCellRoom::Guess(const Rectangle& tile, const Unit& unit, s
   Units units;
   for (double covered : this->Covered)
   {
-    const double fragments = std::min(FragmentsOfBox * covered, MostGuessed * static_cast<double>(pixels));
-    units.push_back(GetExpectedUnits(unit, fragments, covered, pixels));
+    units.push_back(GetExpectedUnits(unit, unit.FragmentsOfBox * covered, covered, pixels));
   }
   this->TakeOver(tile, units);
 
@@ -230,13 +237,13 @@ vtkCellRoom::Units vtkCellRoom::Guess(const Rectangle& tile, const Unit& unit, s
     more += range - least;
   }
   const std::int64_t leastOfAll = least * static_cast<std::int64_t>(units.size());
-  const double part = static_cast<double>(std::max<std::int64_t>(0, allowed / 2 - leastOfAll)) /
-    static_cast<double>(std::max(more, std::int64_t(1)));
-  if (part < 1)
+  const std::int64_t mostOfAll = std::min(allowed / 2, GetMostForeseen(tile, unit));
+  const std::int64_t left = std::max<std::int64_t>(0, mostOfAll - leastOfAll);
+  if (more > left)
   {
     for (std::int64_t& range : units)
     {
-      range = least + static_cast<std::int64_t>(part * static_cast<double>(range - least));
+      range = least + (range - least) * left / more;
     }
   }
   return units;
@@ -248,16 +255,16 @@ vtkCellRoom::Units vtkCellRoom::Foresee(const Rectangle& tile, const Unit& unit)
 {
   const Tile& last = this->Tiles.at(tile);
   const std::int64_t pixels = GetPixels(tile);
-  Units units = Widen(last.Counts, GetCells(tile), ReachWhileMoving);
+  const Units wide = Widen(last.Counts, GetCells(tile), ReachWhileMoving);
   const std::vector<double> densities = Widen(last.Densities, GetCells(tile), ReachWhileMoving);
-  for (std::size_t cell = 0; cell < units.size(); ++cell)
+  Units units;
+  for (std::size_t cell = 0; cell < wide.size(); ++cell)
   {
     const double covered = this->Covered[cell];
-    const double fragments =
-      std::min(FragmentsOfBox * covered * std::max(0.0, densities[cell]), MostGuessed * static_cast<double>(pixels));
-    units[cell] = std::max(units[cell], GetExpectedUnits(unit, fragments, covered, pixels));
+    const double fragments = unit.FragmentsOfBox * covered * std::max(0.0, densities[cell]);
+    units.push_back(std::max(wide[cell], GetExpectedUnits(unit, fragments, covered, pixels)));
   }
-  return units;
+  return Sum(units) <= GetMostForeseen(tile, unit) ? units : wide;
 }
 
 //------------------------------------------------------------------------------
@@ -319,7 +326,7 @@ bool vtkCellRoom::FinishTile(const Units& counts, const Units& fragments)
     fits = fits && counts[cell] <= this->Ranges[cell];
     const double covered = this->Covered[cell];
     const bool tells = covered >= pixels * LeastToTell;
-    tile.Densities.push_back(tells ? static_cast<double>(fragments[cell]) / (FragmentsOfBox * covered) : -1);
+    tile.Densities.push_back(tells ? static_cast<double>(fragments[cell]) / (this->FragmentsOfBox * covered) : -1);
   }
   this->TooLarge = this->Guessed && this->GetUnits() > 2 * std::max(Sum(counts), this->Least);
   if (fits)

@@ -4,13 +4,14 @@
  * How many units of room each cell of a tile gets, before it is drawn. Knows no OpenGL.
  *
  * - A tile that was never drawn: two fragments per pixel for each box of a prop, the front and the back of a closed
- *   surface, 1 to 16 in all.
+ *   surface, at least 1 in all, and less where these would be more than 16 on average. In multi-sampled windows a
+ *   quarter more: pixels on edges hold a fragment of each triangle, if these are not merged.
  * - A viewport of another size than the one before: what was seen there, scaled about the middle to the new height.
  * - A tile that was drawn before: what its cells took, and an eighth more.
  * - The same while the view moves: what the fullest of a cell and its neighbours within two cells took, or, if that is
- *   more, what they held of two fragments for each box times the boxes that lie there now, up to 16; and an eighth
- *   more. The view moves where boxes are others than in the frame before, and for a while after a frame that did not
- *   fit.
+ *   more, what they held of two fragments for each box times the boxes that lie there now, unless these would be more
+ *   than 16 on average; and an eighth more. The view moves where boxes are others than in the frame before, and for a
+ *   while after a frame that did not fit.
  *
  * More than was counted is given only where the limit allows it, and what is guessed takes half of the limit at most.
  */
@@ -32,8 +33,9 @@ public:
   /// What a unit is in which room is given.
   struct Unit
   {
-    int Fragments = 1;      // that it has room for
-    int PixelFragments = 0; // that a pixel has room for before any unit is taken
+    int Fragments = 1;         // that it has room for
+    int PixelFragments = 0;    // that a pixel has room for before any unit is taken
+    double FragmentsOfBox = 2; // of a pixel that a prop's box covers, as a guess
   };
 
   /// The units that fragments take that are spread evenly over pixels.
@@ -89,6 +91,7 @@ private:
   std::vector<Rectangle> Drawn;         // tiles of this frame
   Rectangle Viewport{ { 0, 0, 0, 0 } }; // of the last frame, if it was drawn in one tile
   std::vector<double> Covered;          // the pixels of each cell of the last tile that boxes cover, all boxes added up
+  double FragmentsOfBox = 2;            // as the last tile's unit has it
   Units Ranges;                         // of the last tile:
   std::int64_t Least = 0;               // units for a fragment per pixel
   bool Guessed = false;

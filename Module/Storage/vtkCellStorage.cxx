@@ -188,7 +188,8 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
   this->LimitBytes = this->GetLimitBytes(capabilities);
   this->BlockBytes = static_cast<double>(capabilities.MaximumBlockBytes);
   this->UnitsAllowed = this->GetUnitsAllowed(tile, capabilities);
-  const vtkCellRoom::Unit unit{ this->GetUnitFragments(), this->GetPixelFragments() };
+  const double fragmentsOfBox = this->Samples > 1 ? 2.5 : 2;
+  const vtkCellRoom::Unit unit{ this->GetUnitFragments(), this->GetPixelFragments(), fragmentsOfBox };
   const vtkTypeInt64 least = vtkCellRoom::GetUnitsFor(unit, Pixels(tile), Pixels(tile));
   if (this->UnitsAllowed < least)
   {

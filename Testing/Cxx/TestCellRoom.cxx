@@ -19,7 +19,7 @@ using Rectangle = Room::Rectangle;
 using Units = Room::Units;
 
 constexpr std::int64_t NoLimit = 1 << 30;
-const Room::Unit Node{ 1, 0 };
+const Room::Unit Node;
 const Rectangle Viewport{ { 10, 20, 160, 100 } };
 
 std::int64_t Sum(const Units& units)
@@ -98,8 +98,13 @@ TEST(TestCellRoom, GivesEachPixelAFragmentWhereThereIsNoBox)
   EXPECT_EQ(room.GetRanges(), Units(10 * 7, 256));
 }
 
-TEST(TestCellRoom, GuessesNoMoreThanSixteenFragments)
+TEST(TestCellRoom, GuessesNoMoreThanSixteenFragmentsOnAverage)
 {
+  Room deep; // in four cells
+  deep.BeginFrame(std::vector<Room::Box>(100, { { 74, 52, 106, 84 } }));
+  deep.BeginTile(Viewport, Node, 0, NoLimit);
+  EXPECT_EQ(deep.GetRanges()[2 * 10 + 4], 200 * 256);
+
   Room room;
   room.BeginFrame(std::vector<Room::Box>(100, { { -1e9, -1e9, 1e9, 1e9 } }));
   room.BeginTile(Viewport, Node, 0, NoLimit);
@@ -122,12 +127,20 @@ TEST(TestCellRoom, CountsUnitsThatAreNotFull)
 {
   Room room;
   room.BeginFrame({ { { 10, 20, 170, 120 } } });
-  room.BeginTile(Viewport, { 4, 0 }, 0, NoLimit);
+  room.BeginTile(Viewport, { 4, 0, 2 }, 0, NoLimit);
   EXPECT_EQ(room.GetRanges()[0], 256 * (2 + 3) / 4);
   Room own; // pixels have room for four themselves
   own.BeginFrame({ { { 10, 20, 170, 120 } } });
-  own.BeginTile(Viewport, { 4, 4 }, 0, NoLimit);
+  own.BeginTile(Viewport, { 4, 4, 2 }, 0, NoLimit);
   EXPECT_EQ(own.GetRanges()[0], 256 / 4);
+}
+
+TEST(TestCellRoom, GuessesWhatAUnitSays)
+{
+  Room room;
+  room.BeginFrame({ { { 10, 20, 170, 120 } } });
+  room.BeginTile(Viewport, { 1, 0, 2.5 }, 0, NoLimit);
+  EXPECT_EQ(room.GetRanges()[0], 640);
 }
 
 TEST(TestCellRoom, TellsAGuessThatWasTooLarge)
@@ -197,12 +210,12 @@ TEST(TestCellRoom, ForeseesWhereBoxesWillLie)
   places.push_back(0.2);
   EXPECT_TRUE(draw(Node));
   places = { -0.6, 0, 0.6 };
-  draw({ 4, 0 });
+  draw({ 4, 0, 2 });
   places = { 0, 0, 0 };
-  EXPECT_TRUE(draw({ 4, 0 }));
+  EXPECT_TRUE(draw({ 4, 0, 2 }));
 }
 
-TEST(TestCellRoom, ForeseesNoMoreThanSixteenFragments)
+TEST(TestCellRoom, ForeseesNoMoreThanSixteenFragmentsOnAverage)
 {
   Room room;
   room.BeginFrame({ { { 0, 0, 200, 200 } } });
@@ -210,7 +223,7 @@ TEST(TestCellRoom, ForeseesNoMoreThanSixteenFragments)
   Finish(room, Units(70, 12 * 256));
   room.BeginFrame(std::vector<Room::Box>(2, { { 0, 0, 200, 200 } }));
   room.BeginTile(Viewport, Node, 0, NoLimit);
-  EXPECT_EQ(room.GetRanges(), Units(70, 18 * 256));
+  EXPECT_EQ(room.GetRanges(), Units(70, 12 * 256 * 9 / 8));
 }
 
 // What a line holds in a cell that its box has a corner in tells nothing of cells that it covers.
