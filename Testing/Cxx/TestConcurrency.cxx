@@ -13,6 +13,7 @@
 #include <atomic>
 #include <functional>
 #include <numeric>
+#include <string_view>
 #include <thread>
 #include <tuple>
 
@@ -145,13 +146,13 @@ std::uint32_t CountFragments(ConcurrentStorage& storage, const StorageVariant& v
   return variant.Storage == "Sections" ? storage.GetWord(cell, CELL_FRAGMENTS) : CountUnits(storage, cell);
 }
 
-const StorageVariant& StorageNamed(const std::string& name)
+const StorageVariant& StorageNamed(std::string_view name)
 {
   const auto& all = StorageVariants();
   return *std::find_if(all.begin(), all.end(), [&](const StorageVariant& variant) { return variant.Name == name; });
 }
 
-const RecordVariant& RecordsUnder(const std::string& name)
+const RecordVariant& RecordsUnder(std::string_view name)
 {
   const auto& all = RecordVariants();
   return *std::find_if(all.begin(), all.end(), [&](const RecordVariant& variant) { return variant.Name == name; });
