@@ -8,9 +8,11 @@
  *
  * 1. Begin: buffers of the size that the last frames needed, emptied and bound.
  * 2. The geometry is drawn; the shaders call storeFragment (see Shaders/README.md for the contract).
- * 3. End: reads what was allocated. Nothing is ever dropped: if fragments did not fit, the storage has grown and the
+ * 3. The technique's resolve reads the fragments. It draws nothing if they did not all fit.
+ * 4. End: reads what was allocated. Nothing is ever dropped: if fragments did not fit, the storage has grown and the
  * tile is drawn again, or, where it would pass the memory limit, the tile is cut into parts.
- * 4. The technique's resolve reads the fragments.
+ *
+ * End waits for the GPU. Where it has to know before the resolve, or GetSummary gives no shader, it comes before that.
  */
 #ifndef vtkFragmentStorage_h
 #define vtkFragmentStorage_h
@@ -100,16 +102,35 @@ public:
   /// Makes ready for a tile: OutOfMemory or Complete.
   virtual Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) = 0;
 
-  /// After the geometry of the tile was drawn, and again after volumes were.
+  /// After the geometry of the tile was drawn, and again after volumes were: reads all counters.
   virtual Outcome End() = 0;
+
+  /// What a tile holds, as a shader has added it up.
+  struct Sum
+  {
+    bool Overflowed = false; // not all fragments fitted
+    vtkTypeInt64 Fragments = 0;
+    vtkTypeInt64 Units = 0;
+    vtkTypeInt64 FullestCell = 0; // fragments
+  };
+
+  /// The same by that, which is less to wait for. Counters are read when the next tile begins.
+  virtual Outcome End(const Sum& vtkNotUsed(sum)) { return this->End(); }
+
+  /// What adds it up, after the geometry was drawn: a file of Module/Shaders that is drawn, an invocation for each of
+  /// GetCells; null where the counters alone don't tell.
+  virtual const char* GetSummary() const { return nullptr; }
+
+  /// Cells across and down the current tile.
+  virtual std::array<int, 2> GetCells() const = 0;
 
   /// After TooLarge: how many parts of this tile would fit, if fragments were spread evenly; at least 2.
   virtual int GetPartsNeeded() const = 0;
 
-  /// What is run before fragments can be read: a file of Module/Shaders that is drawn, an invocation for each of the
-  /// cells that BeginRetrieval gives, until it discards them all; null where nothing is to be run.
+  /// What is run before fragments can be read: a file of Module/Shaders that is drawn, an invocation for each of
+  /// GetCells, until it discards them all; null where nothing is to be run.
   virtual const char* GetRetrieval() const { return nullptr; }
-  virtual std::array<int, 2> BeginRetrieval() { return { { 0, 0 } }; }
+  virtual void BeginRetrieval() {}
 
   /// The most drawings that it may take.
   virtual vtkTypeInt64 GetMostRetrievals() const { return 0; }

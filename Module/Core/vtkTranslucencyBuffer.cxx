@@ -7,6 +7,18 @@
 //------------------------------------------------------------------------------
 bool vtkTranslucencyBuffer::Reserve(vtkTypeInt64 bytes)
 {
+  return this->Allocate(bytes, GL_DYNAMIC_COPY);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyBuffer::ReserveForReading(vtkTypeInt64 bytes)
+{
+  return this->Allocate(bytes, GL_STREAM_READ);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyBuffer::Allocate(vtkTypeInt64 bytes, unsigned int usage)
+{
   if (bytes <= this->Bytes)
   {
     return true;
@@ -17,7 +29,7 @@ bool vtkTranslucencyBuffer::Reserve(vtkTypeInt64 bytes)
     this->TexelWords = 0; // the texture, if there is one, is not this buffer
   }
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
-  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, usage);
   GLint64 held = 0; // asked rather than glGetError, which would also take errors that are not this allocation's
   glGetBufferParameteri64v(GL_COPY_WRITE_BUFFER, GL_BUFFER_SIZE, &held);
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
@@ -55,6 +67,16 @@ void vtkTranslucencyBuffer::Clear(vtkTypeInt64 bytes, vtkTypeInt64 offset)
   glClearBufferSubData(GL_COPY_WRITE_BUFFER, GL_R32UI, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
     GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBuffer::Copy(const vtkTranslucencyBuffer& from, vtkTypeInt64 bytes)
+{
+  glBindBuffer(GL_COPY_READ_BUFFER, from.Handle);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Handle);
+  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+  glBindBuffer(GL_COPY_READ_BUFFER, 0);
 }
 
 //------------------------------------------------------------------------------

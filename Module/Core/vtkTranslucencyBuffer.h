@@ -22,11 +22,18 @@ public:
   /// Makes the buffer at least this large; what it held is lost if it grows. False if there is no memory for it.
   bool Reserve(vtkTypeInt64 bytes);
 
+  /// The same for a buffer that only Copy writes to and only Download reads.
+  bool ReserveForReading(vtkTypeInt64 bytes);
+
   /// Copies bytes from the start, growing the buffer if needed; false if there is no memory for it.
   bool Upload(const void* data, vtkTypeInt64 bytes);
 
   /// Sets bytes to 0, from the start or from an offset on.
   void Clear(vtkTypeInt64 bytes, vtkTypeInt64 offset = 0);
+
+  /// Copies bytes from the start of another buffer, without waiting. A driver may move what the application reads into
+  /// the host's memory, where the atomic operations of shaders would be slow: what they work on is copied first.
+  void Copy(const vtkTranslucencyBuffer& from, vtkTypeInt64 bytes);
 
   /// Copies bytes back from the start; waits for the commands that write them.
   void Download(void* data, vtkTypeInt64 bytes) const;
@@ -49,6 +56,8 @@ public:
   void Release(bool contextAlive = true);
 
 private:
+  bool Allocate(vtkTypeInt64 bytes, unsigned int usage);
+
   unsigned int Handle = 0;
   vtkTypeInt64 Bytes = 0;
   unsigned int Texture = 0;

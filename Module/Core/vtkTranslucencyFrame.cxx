@@ -29,11 +29,6 @@
 
 #include <algorithm>
 
-namespace
-{
-constexpr int MostSamples = 8; // that a node has room for
-}
-
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources,
   const vtkRenderState* state, vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found)
@@ -53,37 +48,12 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslu
   resources.Resolved.BeginFrame();
   resources.GatherTime = -1;
   resources.ResolveTime = -1;
-  this->ChooseSamples();
+  this->Shaders->ChooseSamples(pass);
   this->ChooseTransmission();
 }
 
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::~vtkTranslucencyFrame() = default;
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyFrame::ChooseSamples()
-{
-  vtkTranslucencyResources& kept = this->Resources;
-  vtkTranslucencyFrameShaders::Context& context = this->Shaders->GetContext();
-  GLint samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  context.TargetSamples = std::max(1, samples);
-  std::string missing = kept.Capabilities.MissingForSamples;
-  if (samples > MostSamples)
-  {
-    missing = "windows of at most " + std::to_string(MostSamples) + " samples";
-  }
-  if (samples <= 1 || missing.empty())
-  {
-    context.Samples = context.TargetSamples;
-  }
-  else if (kept.MissingForSamples != missing)
-  {
-    kept.MissingForSamples = missing;
-    vtkWarningWithObjectMacro(
-      this->Pass, << "multi-sampled translucency needs " << missing << "; drawing it with one sample a pixel");
-  }
-}
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyFrame::ChooseTransmission()
@@ -143,41 +113,98 @@ bool vtkTranslucencyFrame::IsDrawn()
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::DrawCells(const char* file, vtkTypeInt64 most)
+{
+  const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), this->Resources.ResolveTime);
+  vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, {});
+  if (!program)
+  {
+    return false;
+  }
+  this->UseTile();
+  this->Resolver->DrawCells(program, *this->Storage, most);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // Makes what the storage holds ready to be read.
 bool vtkTranslucencyFrame::Retrieve()
 {
-  vtkTranslucencyResources& kept = this->Resources;
   const char* file = this->Storage->GetRetrieval();
   if (!file)
   {
     return true;
   }
-  const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), kept.ResolveTime);
-  const std::array<int, 2> cells = this->Storage->BeginRetrieval();
-  vtkOpenGLState* state = this->Window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(state);
-  if (!kept.Resolved.Use(this->GetViewport()))
+  this->Storage->BeginRetrieval();
+  return this->DrawCells(file, this->Storage->GetMostRetrievals());
+}
+
+//------------------------------------------------------------------------------
+// After the geometry was drawn: what is to be known before the resolves. Those of what was only summed up ask later.
+bool vtkTranslucencyFrame::FinishGathering()
+{
+  using Outcome = vtkFragmentStorage::Outcome;
+  vtkTranslucencyResources& kept = this->Resources;
+  const bool divides = !kept.Mappers->GetVolumes().GetProps().empty(); // they go through whole lists only
+  const char* summary = this->Storage->GetSummary();
+  this->SummedUp = summary && !this->Storage->GetRetrieval() && !divides;
+  if (this->SummedUp)
   {
-    return this->Fail("the driver has no memory for the resolve");
+    kept.Resolved.BeginSum();
+    return this->DrawCells(summary, 1);
   }
-  if (!this->PrepareProgram("Common/FullScreen.glsl", file, {}))
+  Outcome outcome = this->Storage->End();
+  if (outcome == Outcome::Complete && !this->Retrieve())
   {
     return false;
   }
-  this->UseTile();
-  state->vtkglViewport(this->GetTile()[0], this->GetTile()[1], cells[0], cells[1]);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_MULTISAMPLE);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  bool any = true;
-  for (vtkTypeInt64 left = this->Storage->GetMostRetrievals(); any && left > 0; --left)
+  if (outcome == Outcome::Complete && divides)
   {
-    any = vtkTranslucencyAnySamplesPass([this] { this->Resources.Programs.DrawVertices(GL_TRIANGLES, 3); });
-    vtkTranslucencyBuffer::FinishStores();
-    kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+    if (!this->SortLists({}))
+    {
+      return false;
+    }
+    this->Geometry->DrawVolumes();
+    outcome = this->Storage->End();
   }
-  kept.Resolved.Change();
+  this->Finish(outcome);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// What becomes of the tile when it is known how the storage has got on.
+void vtkTranslucencyFrame::Finish(vtkFragmentStorage::Outcome outcome)
+{
+  using Outcome = vtkFragmentStorage::Outcome;
+  this->Complete = outcome == Outcome::Complete;
+  if (this->Complete)
+  {
+    this->Tiles.Finish(this->Storage->GetFragments(), this->Storage->GetUnits());
+  }
+  else if (outcome == Outcome::Grown)
+  {
+    // the same tile again
+  }
+  else if (this->Tiles.IsSmallest())
+  {
+    this->HasRoom = this->Fail("the driver has no memory for the " + std::to_string(this->Storage->GetFragments()) +
+      " fragments of one pixel");
+  }
+  else
+  {
+    this->Tiles.Cut(outcome == Outcome::TooLarge ? this->Storage->GetPartsNeeded() : 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::IsComplete()
+{
+  if (this->SummedUp)
+  {
+    this->SummedUp = false;
+    this->Finish(this->Storage->End(this->Resources.Resolved.GetSum()));
+  }
+  return this->Complete;
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +218,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
     storage->BeginFrame(scene.GetBoxes(this->Picture), kept.Capabilities);
   }
   this->Storage = storage;
+  this->SummedUp = false;
   this->Shaders->GetContext().Storage = storage;
   storage->SetChannelsAndSamples(this->GetChannels(), this->GetSamples());
   this->SetSample(WholePixel);
@@ -203,57 +231,37 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
   {
     return this->Fail(this->Shaders->GetError());
   }
+  if (!kept.Resolved.Use(this->GetViewport()))
+  {
+    return this->Fail("the driver has no memory for the resolve");
+  }
   if (storage->Fits(this->Tiles.GetLastUnits(), this->GetViewport(), kept.Capabilities))
   {
     this->Tiles.UseWholeViewport();
   }
-  for (;;)
+  do
   {
-    Outcome outcome = storage->Begin(this->GetTile(), kept.Capabilities);
-    if (outcome == Outcome::Complete)
+    if (!this->HasRoom)
     {
-      this->UseTile();
-      kept.Mappers->SetError("");
-      this->Geometry->Draw(Stage(), false);
-      vtkTranslucencyBuffer::FinishStores();
-      outcome = storage->End();
-      if (outcome == Outcome::Complete && !this->Retrieve())
-      {
-        return false;
-      }
-      if (outcome == Outcome::Complete &&
-        !kept.Mappers->GetVolumes().GetProps().empty()) // they go through whole lists only
-      {
-        if (!this->SortLists({}))
-        {
-          return false;
-        }
-        this->Geometry->DrawVolumes();
-        outcome = storage->End();
-      }
-      if (!this->IsDrawn())
-      {
-        return false;
-      }
+      this->HasRoom = true; // for the next tile
+      return false;
     }
-    switch (outcome)
+    const Outcome outcome = storage->Begin(this->GetTile(), kept.Capabilities);
+    if (outcome != Outcome::Complete)
     {
-      case Outcome::Complete:
-        this->Tiles.Finish(storage->GetFragments(), storage->GetUnits());
-        return true;
-      case Outcome::Grown:
-        break;
-      case Outcome::TooLarge:
-      case Outcome::OutOfMemory:
-        if (this->Tiles.IsSmallest())
-        {
-          return this->Fail(
-            "the driver has no memory for the " + std::to_string(storage->GetFragments()) + " fragments of one pixel");
-        }
-        this->Tiles.Cut(outcome == Outcome::TooLarge ? storage->GetPartsNeeded() : 2);
-        break;
+      this->Finish(outcome);
+      continue;
     }
-  }
+    this->UseTile();
+    kept.Mappers->SetError("");
+    this->Geometry->Draw(Stage(), false);
+    vtkTranslucencyBuffer::FinishStores();
+    if (!this->FinishGathering() || !this->IsDrawn())
+    {
+      return false;
+    }
+  } while (!this->SummedUp && !this->Complete);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -554,7 +562,13 @@ bool vtkTranslucencyFrame::CompositeSamples()
 //------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::IsLeftTo(int level)
 {
-  return this->Resources.Resolved.IsLeftTo(level);
+  return this->IsComplete() && this->Resources.Resolved.IsLeftTo(level);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyFrame::IsLeftTo(const Squares& squares)
+{
+  return this->IsLeftTo(squares.Level) || (this->Complete && this->Storage->GetMostExpected() > squares.Fewer);
 }
 
 //------------------------------------------------------------------------------
@@ -569,4 +583,8 @@ void vtkTranslucencyFrame::Blend()
   this->UseTile();
   vtkTranslucencyGLState::UsePlainBlending(this->Window->GetState());
   this->Pass->GetTranslucentPass()->Render(this->State);
+  if (!this->Tiles.IsFinished()) // else the next frame would leave it out
+  {
+    this->Tiles.Finish();
+  }
 }

@@ -9,7 +9,12 @@
  * @code
  * bool vtkSomePass::RenderStages(vtkTranslucencyFrame& frame)
  * {
- *   return frame.Gather(this->Storage) && frame.Resolve("Some/Resolve.glsl", { { "SOME_DEFINE", "8" } }, {});
+ *   bool drawn;
+ *   do
+ *   {
+ *     drawn = frame.Gather(this->Storage) && frame.Resolve("Some/Resolve.glsl", { { "SOME_DEFINE", "8" } }, {});
+ *   } while (drawn && !frame.IsComplete());
+ *   return drawn;
  * }
  * @endcode
  *
@@ -18,6 +23,7 @@
 #ifndef vtkTranslucencyFrame_h
 #define vtkTranslucencyFrame_h
 
+#include "vtkFragmentStorage.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
 #include "vtkTranslucencyPixels.h"
 #include "vtkTranslucencyStage.h"
@@ -28,7 +34,6 @@
 #include <string>
 #include <vector>
 
-class vtkFragmentStorage;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderState;
@@ -64,8 +69,14 @@ public:
     vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found);
   ~vtkTranslucencyFrame();
 
-  /// Draws the translucent props into the storage, as often and in as many tiles as it takes for nothing to be lost.
+  /// Draws the translucent props into the storage, in as many tiles as it takes. Whether all fragments have found room
+  /// may be open until IsComplete; where they have not, resolves draw nothing, and the tile has to be gathered again,
+  /// as often as it takes for nothing to be lost.
   bool Gather(vtkFragmentStorage* storage);
+
+  /// Whether what was gathered is complete. Waits for the GPU, once a tile: best asked after the resolves, which then
+  /// have not waited.
+  bool IsComplete();
 
   /// Records of that many words for each sample of the tile, which is cut where they would pass the limit (MiB, 0 for
   /// the default).
@@ -160,8 +171,10 @@ public:
   /// Puts the pixels' lists of fragments into front-to-back order, where they lie.
   bool SortLists(const Squares& squares);
 
-  /// Whether pixels of this tile were left to a level. Waits for the resolves so far.
+  /// Whether pixels of this tile were left to a level, or squares of it to a resolve. False where fragments have not
+  /// found room. Waits for the resolves so far.
   bool IsLeftTo(int level);
+  bool IsLeftTo(const Squares& squares);
 
   /// The most fragments in a pixel that the resolves so far have counted. Waits for them.
   vtkTypeInt64 GetDeepestPixel();
@@ -185,9 +198,11 @@ public:
   vtkTranslucencyFrame& operator=(const vtkTranslucencyFrame&) = delete;
 
 private:
-  void ChooseSamples();
   void ChooseTransmission();
+  bool DrawCells(const char* file, vtkTypeInt64 most);
   bool Retrieve();
+  bool FinishGathering();
+  void Finish(vtkFragmentStorage::Outcome outcome);
   bool IsDrawn();
   void UseTile();
   void FinishRecords();
@@ -204,6 +219,9 @@ private:
   std::unique_ptr<vtkTranslucencyResolver> Resolver;
   std::unique_ptr<vtkTranslucencyRecords> Records;
   vtkFragmentStorage* Storage = nullptr;
+  bool SummedUp = false; // whether the tile is complete is yet to be asked
+  bool Complete = true;
+  bool HasRoom = true; // to gather again
   std::string Error;
 };
 

@@ -6,6 +6,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyResources.h"
 #include "vtkTranslucencyStage.h"
+#include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -14,6 +15,8 @@
 
 namespace
 {
+constexpr int MostSamples = 8; // that a node has room for
+
 const std::string Version = "//VTK::System::Dec\n";
 
 // What goes into a mapper's shader where it has shaded a fragment; GATHERED_DEPTH stands for its depth.
@@ -75,6 +78,30 @@ bool vtkTranslucencyFrameShaders::Fail(const std::string& error)
 {
   this->Error = error;
   return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyFrameShaders::ChooseSamples(vtkObject* pass)
+{
+  vtkTranslucencyResources& kept = this->Resources;
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  this->Current.TargetSamples = std::max(1, samples);
+  std::string missing = kept.Capabilities.MissingForSamples;
+  if (samples > MostSamples)
+  {
+    missing = "windows of at most " + std::to_string(MostSamples) + " samples";
+  }
+  if (samples <= 1 || missing.empty())
+  {
+    this->Current.Samples = this->Current.TargetSamples;
+  }
+  else if (kept.MissingForSamples != missing)
+  {
+    kept.MissingForSamples = missing;
+    vtkWarningWithObjectMacro(
+      pass, << "multi-sampled translucency needs " << missing << "; drawing it with one sample a pixel");
+  }
 }
 
 //------------------------------------------------------------------------------

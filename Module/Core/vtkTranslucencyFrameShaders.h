@@ -12,6 +12,7 @@
 #include <string>
 
 class vtkFragmentStorage;
+class vtkObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 struct vtkTranslucencyGathering;
@@ -34,6 +35,9 @@ public:
     int TargetSamples = 1;                 ///< that it has
     int RecordTargets = 0;                 ///< colours in which records of pixels lie, if they lie in colours
   };
+  /// The samples of what is bound; one, with a warning in the pass's name, where the driver can't tell them apart.
+  void ChooseSamples(vtkObject* pass);
+
   Context& GetContext() { return this->Current; }
   const Context& GetContext() const { return this->Current; }
 

@@ -10,6 +10,7 @@
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,15 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
       object->Modified();
     }
     return changes;
+  }
+
+  /// The same for an integer property that is no technique's option: it may be minimum to maximum.
+  template <typename Object, typename Value>
+  static bool SetInteger(Object* object, const char* name, Value& property, Value value, double minimum,
+    double maximum = std::numeric_limits<double>::infinity())
+  {
+    return SetProperty(
+      object, { { name, "", Kind::Integer, minimum, minimum, maximum, {}, "", {}, {} } }, name, property, value);
   }
 
   /// The value as text, as Parse takes it; "other" where it is none of the choices.

@@ -9,7 +9,7 @@ namespace
 constexpr vtkTypeInt64 WordBytes = sizeof(unsigned int);
 constexpr vtkTypeInt64 FrameBytes = WordBytes * STATISTICS_WORDS;
 
-vtkTypeInt64 GetBytes(const vtkTranslucencyTiles::Rectangle& tile)
+vtkTypeInt64 BytesFor(const vtkTranslucencyTiles::Rectangle& tile)
 {
   using Statistics = vtkTranslucencyResolveStatistics;
   return FrameBytes + WordBytes * Statistics::GetSquares(tile[2]) * Statistics::GetSquares(tile[3]);
@@ -35,7 +35,7 @@ bool vtkTranslucencyResolveStatistics::Use(const Rectangle& viewport)
   if (!this->InUse)
   {
     // No tile has more squares than all of them together: what was counted is not lost by growing in between.
-    if (!this->Block.Reserve(GetBytes(viewport)))
+    if (!this->Block.Reserve(BytesFor(viewport)) || !this->Copy.ReserveForReading(sizeof(Words)))
     {
       return false;
     }
@@ -47,10 +47,30 @@ bool vtkTranslucencyResolveStatistics::Use(const Rectangle& viewport)
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyResolveStatistics::BeginSum()
+{
+  this->Block.Clear(WordBytes * (STATISTICS_RESOLVES - STATISTICS_TILE), WordBytes * STATISTICS_TILE);
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyResolveStatistics::BeginTile(const Rectangle& tile)
 {
-  constexpr vtkTypeInt64 leftLevels = 2 * WordBytes;
-  this->Block.Clear(GetBytes(tile) - leftLevels, leftLevels);
+  constexpr vtkTypeInt64 before = WordBytes * STATISTICS_RESOLVES;
+  this->Block.Clear(BytesFor(tile) - before, before);
+}
+
+//------------------------------------------------------------------------------
+vtkFragmentStorage::Sum vtkTranslucencyResolveStatistics::GetSum()
+{
+  const Words& words = this->GetWords();
+  return { words.Overflowed != 0, words.Fragments, words.Units, words.FullestCell };
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyResolveStatistics::Release(bool contextAlive)
+{
+  this->Block.Release(contextAlive);
+  this->Copy.Release(contextAlive);
 }
 
 //------------------------------------------------------------------------------
@@ -59,7 +79,8 @@ const vtkTranslucencyResolveStatistics::Words& vtkTranslucencyResolveStatistics:
   if (!this->Read)
   {
     this->Read.emplace();
-    this->Block.Download(&*this->Read, sizeof(Words));
+    this->Copy.Copy(this->Block, sizeof(Words));
+    this->Copy.Download(&*this->Read, sizeof(Words));
   }
   return *this->Read;
 }

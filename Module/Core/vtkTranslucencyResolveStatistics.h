@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What resolves count and leave to later ones (Shaders/Common/Statistics.glsl): a block of four words of the whole
- * frame, and one for each square of pixels of the tile.
+ * What shaders count on the GPU and leave to later ones (Shaders/Common/Statistics.glsl): a few words of the whole frame
+ * and of the tile, and one for each square of pixels of the tile.
  */
 #ifndef vtkTranslucencyResolveStatistics_h
 #define vtkTranslucencyResolveStatistics_h
 
+#include "vtkFragmentStorage.h"
 #include "vtkTranslucencyBuffer.h"
 #include "vtkTranslucencyTiles.h"
 
@@ -26,6 +27,9 @@ public:
   /// Binds the block for a shader that counts in a part of this viewport. False if there is no memory for it.
   bool Use(const Rectangle& viewport);
 
+  /// Nothing of a tile has been added up yet. Of blocks in use.
+  void BeginSum();
+
   /// Nothing of the tile is left to any level yet. Of blocks in use.
   void BeginTile(const Rectangle& tile);
 
@@ -38,7 +42,13 @@ public:
   vtkTypeInt64 GetDeepestPixel() { return this->GetWords().DeepestPixel; }
   bool IsUnfinished() { return this->GetWords().Unfinished != 0; }
 
+  /// What the tile's storage holds, after Storage/SumCells.glsl was run. Waits, too.
+  vtkFragmentStorage::Sum GetSum();
+
   vtkTranslucencyBuffer& GetBlock() { return this->Block; }
+
+  vtkTypeInt64 GetBytes() const { return this->Block.GetBytes() + this->Copy.GetBytes(); }
+  void Release(bool contextAlive);
 
 private:
   // As the shaders have them.
@@ -46,12 +56,17 @@ private:
   {
     unsigned int DeepestPixel;
     unsigned int Unfinished;
+    unsigned int Overflowed;
+    unsigned int Fragments;
+    unsigned int Units;
+    unsigned int FullestCell;
     unsigned int LeftLevels;
     unsigned int Unused;
   };
   const Words& GetWords();
 
   vtkTranslucencyBuffer Block;
+  vtkTranslucencyBuffer Copy; // of the words, to be read
   std::optional<Words> Read;
   bool InUse = false; // by a shader of this frame
 };

@@ -5,6 +5,7 @@
 #include "Common/Bindings.glsl"
 #include "vtkFragmentStorage.h"
 #include "vtkTranslucencyGeometry.h"
+#include "vtkTranslucencyQuery.h"
 #include "vtkTranslucencyResources.h"
 #include "vtkTranslucencyScopedTextures.h"
 #include "vtkTranslucencyVTKVersion.h"
@@ -67,13 +68,10 @@ std::string vtkTranslucencyResolver::Draw(vtkShaderProgram* program, const vtkTr
   vtkTranslucencyShader::SetUniforms(program, values);
   vtkTranslucencyShader::SetUniforms(program, uniforms);
   vtkTranslucencyScopedTextures textures(this->Window);
-  textures.BindTexels("statisticsTexels", kept.Resolved.GetBlock(), 1, program);
+  textures.BindTexels({ { "statisticsTexels", &kept.Resolved.GetBlock(), 1 } }, program);
   if (storage)
   {
-    for (const vtkFragmentStorage::Texels& texels : storage->GetTexels())
-    {
-      textures.BindTexels(texels.Sampler, *texels.Buffer, texels.Words, program);
-    }
+    textures.BindTexels(storage->GetTexels(), program);
   }
   vtkTranslucencyShader::SetUniforms(program, textures.GetUnits());
 
@@ -101,4 +99,37 @@ std::string vtkTranslucencyResolver::Draw(vtkShaderProgram* program, const vtkTr
   vtkTranslucencyBuffer::FinishStores();
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return "";
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyResolver::DrawCells(vtkShaderProgram* program, vtkFragmentStorage& storage, vtkTypeInt64 most)
+{
+  vtkTranslucencyResources& kept = this->Resources;
+  const vtkTranslucencyTiles::Rectangle& tile = kept.Tiles.GetTile();
+  vtkTranslucencyScopedTextures textures(this->Window);
+  textures.BindTexels(storage.GetTexels(), program);
+  vtkTranslucencyShader::SetUniforms(program, textures.GetUnits());
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const std::array<int, 2> cells = storage.GetCells();
+  state->vtkglViewport(tile[0], tile[1], cells[0], cells[1]);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_MULTISAMPLE);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const auto draw = [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); };
+  bool any = true;
+  for (vtkTypeInt64 left = most; any && left > 0; --left)
+  {
+    if (most > 1)
+    {
+      any = vtkTranslucencyAnySamplesPass(draw);
+    }
+    else
+    {
+      draw();
+    }
+    vtkTranslucencyBuffer::FinishStores();
+    kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
+  }
+  kept.Resolved.Change();
 }

@@ -3,6 +3,8 @@
 /**
  * Runs resolve shaders over squares of pixels of the current tile, which see the whole pixel or one sample of it
  * (Shaders/Common/Resolve.glsl).
+ *
+ * And runs shaders once for each cell of a storage.
  */
 #ifndef vtkTranslucencyResolver_h
 #define vtkTranslucencyResolver_h
@@ -27,6 +29,10 @@ public:
   /// stored. Gives what is wrong, empty if nothing is.
   std::string Draw(vtkShaderProgram* program, const vtkTranslucencyFrame::Squares& squares,
     const vtkTranslucencyFrame::Uniforms& uniforms, vtkFragmentStorage* storage, vtkTranslucencyFrame::Blending over);
+
+  /// Draws an invocation for each cell of the storage's tile; if most is above 1 again and again, that often at most,
+  /// until all of them have been discarded.
+  void DrawCells(vtkShaderProgram* program, vtkFragmentStorage& storage, vtkTypeInt64 most);
 
 private:
   vtkTranslucencyResources& Resources;

@@ -5,7 +5,7 @@
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyResources::GetBytes()
 {
-  return this->FrameBlock.GetBytes() + this->Resolved.GetBlock().GetBytes() + this->SampleColors.GetBytes() +
+  return this->FrameBlock.GetBytes() + this->Resolved.GetBytes() + this->SampleColors.GetBytes() +
     this->Layers.GetBytes();
 }
 
@@ -17,7 +17,7 @@ void vtkTranslucencyResources::Release(bool contextAlive)
   this->Layers.Release(contextAlive);
   this->Tiles.Forget();
   this->Programs.Release(contextAlive);
-  this->Resolved.GetBlock().Release(contextAlive);
+  this->Resolved.Release(contextAlive);
   this->FrameBlock.Release(contextAlive);
   this->SampleColors.Release(contextAlive);
   this->Window = nullptr;

@@ -43,12 +43,15 @@ void vtkTranslucencyScopedTextures::Bind(const std::string& sampler, unsigned in
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyScopedTextures::BindTexels(
-  const std::string& sampler, vtkTranslucencyBuffer& buffer, int words, vtkShaderProgram* program)
+  const std::vector<vtkFragmentStorage::Texels>& buffers, vtkShaderProgram* program)
 {
-  if (program->IsUniformUsed(sampler.c_str()))
+  for (const vtkFragmentStorage::Texels& texels : buffers)
   {
-    this->UseUnit(sampler, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER);
-    buffer.BindTexels(words);
+    if (program->IsUniformUsed(texels.Sampler))
+    {
+      this->UseUnit(texels.Sampler, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER);
+      texels.Buffer->BindTexels(texels.Words);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #ifndef vtkTranslucencyScopedTextures_h
 #define vtkTranslucencyScopedTextures_h
 
+#include "vtkFragmentStorage.h"
 #include "vtkTranslucencyStage.h"
 
 #include <string>
@@ -13,7 +14,6 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTranslucencyBuffer;
 
 class vtkTranslucencyScopedTextures
 {
@@ -27,8 +27,8 @@ public:
   /// Binds a texture of one of the two kinds of vtkTranslucencyTargets::GetTarget().
   void Bind(const std::string& sampler, unsigned int target, unsigned int texture);
 
-  /// Binds a buffer, for a program that fetches its words as texels of so many words; nothing if it doesn't.
-  void BindTexels(const std::string& sampler, vtkTranslucencyBuffer& buffer, int words, vtkShaderProgram* program);
+  /// Binds those buffers that a program fetches as texels.
+  void BindTexels(const std::vector<vtkFragmentStorage::Texels>& buffers, vtkShaderProgram* program);
 
   /// By the names of the samplers.
   const vtkTranslucencyShader::Uniforms& GetUnits() const { return this->Units; }

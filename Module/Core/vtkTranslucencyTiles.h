@@ -44,6 +44,9 @@ public:
   /// The current tile is drawn, with so many fragments, which took so many units of room in the storage.
   void Finish(std::int64_t fragments = 0, std::int64_t units = 0);
 
+  /// Whether the current tile is.
+  bool IsFinished() const { return !this->Finished.empty() && this->Finished.front() == this->Tile; }
+
   /// Of all tiles finished in this frame; and the units of the frame before.
   std::int64_t GetFragments() const { return this->Fragments; }
   std::int64_t GetLastUnits() const { return this->LastUnits; }

@@ -50,8 +50,7 @@ bool vtkABufferPass::ResolveLists(vtkTranslucencyFrame& frame)
   {
     return false;
   }
-  const bool runs = this->Storage->GetMostExpected() > rest.Fewer || frame.IsLeftTo(Runs);
-  return (!runs ||
+  return (!frame.IsLeftTo(rest) ||
            (frame.PrepareSorting() &&
              frame.Resolve("ABuffer/ResolveRuns.glsl", { { "LONGER_LEVEL", LevelText(Long) } }, rest))) &&
     this->ResolveLeftLists(frame);

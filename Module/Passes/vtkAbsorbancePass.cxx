@@ -192,8 +192,7 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
   }
   squares.Most = VTK_INT_MAX;
   defines["UNFINISHED_LEVEL"] = LevelText(Long);
-  const bool longer = this->Storage->GetMostExpected() > squares.Fewer || frame.IsLeftTo(squares.Level);
-  return (!longer || frame.Resolve(folder + "/Resolve.glsl", defines, squares, range)) && this->ResolveLeftLists(frame);
+  return (!frame.IsLeftTo(squares) || frame.Resolve(folder + "/Resolve.glsl", defines, squares, range)) && this->ResolveLeftLists(frame);
 }
 
 //------------------------------------------------------------------------------

@@ -187,9 +187,14 @@ bool vtkFragmentListPass::RenderStages(vtkTranslucencyFrame& frame)
                     << " has no sections, expected the storage t-buffer or m-buffer");
     this->SectionLengthWarned = true;
   }
-  return frame.Gather(this->Storage) && this->UseLists(frame) && frame.ReserveSampleColors() &&
-    this->ResolveLists(frame) && (!frame.IsLeftTo(LEVEL_EACH_SAMPLE) || this->ResolveEachSample(frame)) &&
-    (!frame.IsLeftTo(LEVEL_SAMPLES) || frame.CompositeSamples());
+  bool drawn;
+  do
+  {
+    drawn = frame.Gather(this->Storage) && this->UseLists(frame) && frame.ReserveSampleColors() &&
+      this->ResolveLists(frame) && (!frame.IsLeftTo(LEVEL_EACH_SAMPLE) || this->ResolveEachSample(frame)) &&
+      (!frame.IsLeftTo(LEVEL_SAMPLES) || frame.CompositeSamples());
+  } while (drawn && !frame.IsComplete());
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

@@ -31,12 +31,24 @@ std::int64_t GetPixels(const vtkCellRoom::Rectangle& tile) // of a cell
   return std::int64_t(1) << (2 * vtkCellRoom::GetCellShift(tile));
 }
 
+// A fragment per pixel of a cell.
+std::int64_t GetLeastUnits(const vtkCellRoom::Rectangle& tile, const vtkCellRoom::Unit& unit)
+{
+  const std::int64_t pixels = GetPixels(tile);
+  return vtkCellRoom::GetUnitsFor(unit, pixels, pixels);
+}
+
+// What is given where that many units were taken.
+std::int64_t WithReserve(std::int64_t units)
+{
+  return units + units / 8;
+}
+
 // Gives the first cells a fragment per pixel.
 vtkCellRoom::Units Spread(const vtkCellRoom::Rectangle& tile, const vtkCellRoom::Unit& unit, std::int64_t fragments)
 {
   const auto [across, down] = vtkCellRoom::GetCells(tile);
-  const std::int64_t pixels = GetPixels(tile);
-  vtkCellRoom::Units units(static_cast<std::size_t>(across) * down, vtkCellRoom::GetUnitsFor(unit, pixels, pixels));
+  vtkCellRoom::Units units(static_cast<std::size_t>(across) * down, GetLeastUnits(tile, unit));
   std::int64_t left = vtkCellRoom::GetUnitsFor(unit, fragments, 0);
   for (std::int64_t& range : units)
   {
@@ -167,8 +179,7 @@ void vtkCellRoom::BeginTile(const Rectangle& tile, const Unit& unit, std::int64_
   }
 
   const Tile& last = this->Tiles[tile];
-  const std::int64_t pixels = GetPixels(tile);
-  this->Least = static_cast<std::int64_t>(last.Counts.size()) * GetUnitsFor(unit, pixels, pixels);
+  this->Least = static_cast<std::int64_t>(last.Counts.size()) * GetLeastUnits(tile, unit);
   this->Guessed = last.Guessed;
   this->Moving = !last.Guessed && (this->Moved || last.FramesMoving > 0);
   this->Ranges = last.Counts;
@@ -179,7 +190,7 @@ void vtkCellRoom::BeginTile(const Rectangle& tile, const Unit& unit, std::int64_
   Units wide = this->Moving ? this->Foresee(tile, unit) : last.Counts;
   for (std::int64_t& range : wide)
   {
-    range += range / 8;
+    range = WithReserve(range);
   }
   if (Sum(wide) <= allowed)
   {
@@ -222,7 +233,7 @@ std::vector<double> vtkCellRoom::GetCovered(const Rectangle& tile) const
 vtkCellRoom::Units vtkCellRoom::Guess(const Rectangle& tile, const Unit& unit, std::int64_t allowed) const
 {
   const std::int64_t pixels = GetPixels(tile);
-  const std::int64_t least = GetUnitsFor(unit, pixels, pixels);
+  const std::int64_t least = GetLeastUnits(tile, unit);
   Units units;
   for (double covered : this->Covered)
   {
@@ -295,7 +306,7 @@ void vtkCellRoom::TakeOver(const Rectangle& tile, Units& counts) const
       if (u >= 0 && u < acrossBefore && v >= 0 && v < downBefore)
       {
         const auto units = static_cast<double>(wide[v * acrossBefore + u]);
-        counts[y * across + x] = static_cast<std::int64_t>(std::ceil(units * pixels * 1.125));
+        counts[y * across + x] = WithReserve(static_cast<std::int64_t>(std::ceil(units * pixels)));
       }
     }
   }

@@ -6,6 +6,7 @@
 #include "Storage/CellLayout.glsl"
 #include "vtkCellRoom.h"
 #include "vtkTranslucencyCapabilities.h"
+#include "vtkTranslucencyOption.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,12 @@ vtkTypeInt64 CounterBytes(const vtkFragmentStorage::Rectangle& tile)
 {
   const auto [across, down] = vtkCellRoom::GetCells(tile);
   return across * down * static_cast<vtkTypeInt64>(CELL_WORDS * WordBytes);
+}
+
+// Of a tile, beside the layouts: the counters, and their copy.
+vtkTypeInt64 OwnBytes(const vtkFragmentStorage::Rectangle& tile)
+{
+  return 2 * CounterBytes(tile) + LayoutBytes;
 }
 
 vtkTypeInt64 DividedUp(vtkTypeInt64 number, vtkTypeInt64 divisor)
@@ -62,16 +69,7 @@ void vtkCellStorage::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkCellStorage::SetInitialFragments(vtkTypeInt64 fragments)
 {
-  if (fragments < 0)
-  {
-    vtkErrorMacro(<< "InitialFragments is " << fragments << ", expected a positive number, or 0 for one a pixel");
-    return;
-  }
-  if (this->InitialFragments != fragments)
-  {
-    this->InitialFragments = fragments;
-    this->Modified();
-  }
+  vtkTranslucencyOption::SetInteger(this, "InitialFragments", this->InitialFragments, fragments, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +102,7 @@ vtkTypeInt64 vtkCellStorage::GetUnitsAllowed(
 {
   const auto block = static_cast<double>(capabilities.MaximumBlockBytes);
   double units = static_cast<double>(this->GetMostUnits(tile));
-  double pixelBytes = static_cast<double>(CounterBytes(tile) + LayoutBytes);
+  double pixelBytes = static_cast<double>(OwnBytes(tile));
   double unitBytes = 0;
   for (const Layout& layout : this->GetLayouts()) // with links: they have to fit when they are wanted
   {
@@ -142,6 +140,7 @@ std::map<std::string, std::string> vtkCellStorage::GetDefines() const
 //------------------------------------------------------------------------------
 void vtkCellStorage::BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities)
 {
+  this->CountSummed();
   this->Room->BeginFrame(boxes);
   if (this->KeepsDrawOrder != capabilities.KeepsDrawOrder)
   {
@@ -160,7 +159,7 @@ std::string vtkCellStorage::GetObstacle(
   {
     return "";
   }
-  vtkTypeInt64 needed = CounterBytes(row) + LayoutBytes;
+  vtkTypeInt64 needed = OwnBytes(row);
   for (const Layout& layout : this->GetLayouts())
   {
     needed += this->GetLayoutBytes(layout, row, units);
@@ -183,6 +182,7 @@ bool vtkCellStorage::Fits(
 vtkFragmentStorage::Outcome vtkCellStorage::Begin(
   const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities)
 {
+  this->CountSummed();
   this->Tile = tile;
   this->Linked = Links::None;
   this->LimitBytes = this->GetLimitBytes(capabilities);
@@ -254,7 +254,7 @@ bool vtkCellStorage::ReserveBuffers(
         this->GetLayoutBytes(layout, this->Tile, units) <= this->Buffers[layout.Binding].GetBytes();
     });
   room = hasRoom ? units : room;
-  vtkTypeInt64 kept = std::max(this->Counters.GetBytes(), CounterBytes(this->Tile)) + LayoutBytes;
+  vtkTypeInt64 kept = std::max(this->Counters.GetBytes() + this->CountersRead.GetBytes() + LayoutBytes, OwnBytes(this->Tile));
   for (const Layout& layout : layouts)
   {
     kept += std::max(this->Buffers[layout.Binding].GetBytes(), this->GetLayoutBytes(layout, this->Tile, room));
@@ -269,7 +269,8 @@ bool vtkCellStorage::ReserveBuffers(
     return layout.Used == Use::Links || buffer.Reserve(this->GetLayoutBytes(layout, this->Tile, room)) ||
       buffer.Reserve(this->GetLayoutBytes(layout, this->Tile, units));
   };
-  return this->Counters.Reserve(CounterBytes(this->Tile)) && this->LayoutBlock.Reserve(LayoutBytes) &&
+  return this->Counters.Reserve(CounterBytes(this->Tile)) &&
+    this->CountersRead.ReserveForReading(CounterBytes(this->Tile)) && this->LayoutBlock.Reserve(LayoutBytes) &&
     std::all_of(layouts.begin(), layouts.end(), reserve);
 }
 
@@ -310,10 +311,16 @@ vtkFragmentStorage::Links vtkCellStorage::GetLinks() const
 }
 
 //------------------------------------------------------------------------------
+void vtkCellStorage::CopyCells()
+{
+  this->CountersRead.Copy(this->Counters, CounterBytes(this->Tile));
+}
+
+//------------------------------------------------------------------------------
 std::vector<unsigned int> vtkCellStorage::ReadCells() const
 {
   std::vector<unsigned int> cells(CounterBytes(this->Tile) / WordBytes);
-  this->Counters.Download(cells.data(), CounterBytes(this->Tile));
+  this->CountersRead.Download(cells.data(), CounterBytes(this->Tile));
   return cells;
 }
 
@@ -365,6 +372,45 @@ void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
 //------------------------------------------------------------------------------
 vtkFragmentStorage::Outcome vtkCellStorage::End()
 {
+  this->CopyCells();
+  return this->Count();
+}
+
+//------------------------------------------------------------------------------
+vtkFragmentStorage::Outcome vtkCellStorage::End(const Sum& sum)
+{
+  if (sum.Overflowed)
+  {
+    return this->End();
+  }
+  this->CopyCells();
+  this->Summed = true;
+  this->Fragments = sum.Fragments;
+  this->Units = sum.Units;
+  this->FullestCell = sum.FullestCell;
+  return Outcome::Complete;
+}
+
+//------------------------------------------------------------------------------
+// Where the order of drawing is kept the application has a part in counting: CountFragments.
+const char* vtkCellStorage::GetSummary() const
+{
+  return this->KeepsDrawOrder ? nullptr : "Storage/SumCells.glsl";
+}
+
+//------------------------------------------------------------------------------
+void vtkCellStorage::CountSummed()
+{
+  if (this->Summed)
+  {
+    this->Summed = false;
+    this->Count();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkFragmentStorage::Outcome vtkCellStorage::Count()
+{
   std::vector<unsigned int> cells = this->ReadCells();
   this->CountFragments(cells);
   vtkCellRoom::Units counts;
@@ -396,7 +442,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::End()
 int vtkCellStorage::GetPartsNeeded() const
 {
   double parts = 2;
-  double bytes = static_cast<double>(CounterBytes(this->Tile));
+  double bytes = static_cast<double>(OwnBytes(this->Tile));
   for (const Layout& layout : this->GetLayouts())
   {
     const auto own = static_cast<double>(this->GetLayoutBytes(layout, this->Tile, this->Units));
@@ -427,8 +473,9 @@ int vtkCellStorage::GetMostExpected() const
 }
 
 //------------------------------------------------------------------------------
-vtkStorageDesign::Accesses vtkCellStorage::GetAccesses() const
+vtkStorageDesign::Accesses vtkCellStorage::GetAccesses()
 {
+  this->CopyCells();
   vtkStorageDesign::Accesses accesses;
   const std::vector<unsigned int> cells = this->ReadCells();
   for (std::size_t first = 0; first < cells.size(); first += CELL_WORDS)
@@ -466,7 +513,7 @@ std::array<int, 2> vtkCellStorage::GetCells() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkCellStorage::GetBytes() const
 {
-  vtkTypeInt64 bytes = this->Counters.GetBytes() + this->LayoutBlock.GetBytes();
+  vtkTypeInt64 bytes = this->Counters.GetBytes() + this->CountersRead.GetBytes() + this->LayoutBlock.GetBytes();
   for (const auto& buffer : this->Buffers)
   {
     bytes += buffer.second.GetBytes();
@@ -483,6 +530,7 @@ void vtkCellStorage::ClearTable()
 //------------------------------------------------------------------------------
 void vtkCellStorage::ForgetUnits()
 {
+  this->Summed = false;
   this->Room->Forget();
 }
 
@@ -490,6 +538,7 @@ void vtkCellStorage::ForgetUnits()
 void vtkCellStorage::ReleaseBuffers(bool contextAlive)
 {
   this->Counters.Release(contextAlive);
+  this->CountersRead.Release(contextAlive);
   for (auto& buffer : this->Buffers)
   {
     buffer.second.Release(contextAlive);

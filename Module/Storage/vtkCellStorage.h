@@ -56,13 +56,16 @@ public:
   ///@}
 
   /// What they have counted in the tile, after Shaders/Storage/CountAccesses.glsl has read all fragments once.
-  vtkStorageDesign::Accesses GetAccesses() const;
+  vtkStorageDesign::Accesses GetAccesses();
 
   std::map<std::string, std::string> GetDefines() const override;
   void BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities) override;
   std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
   Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) override;
   Outcome End() override;
+  Outcome End(const Sum& sum) override;
+  const char* GetSummary() const override;
+  std::array<int, 2> GetCells() const override;
   int GetPartsNeeded() const override;
   vtkTypeInt64 GetFragments() const override;
   int GetMostExpected() const override;
@@ -124,9 +127,6 @@ protected:
   /// Words of a fragment's colour.
   int GetColorWords() const;
 
-  /// Cells across and down the current tile.
-  std::array<int, 2> GetCells() const;
-
   /// Whether fragments of a pixel reach the storage in the order of drawing, one at a time.
   bool GetKeepsDrawOrder() const { return this->KeepsDrawOrder; }
 
@@ -140,7 +140,15 @@ private:
   vtkCellStorage(const vtkCellStorage&) = delete;
   void operator=(const vtkCellStorage&) = delete;
 
+  /// The counters as they are when the shaders so far have ended.
+  void CopyCells();
   std::vector<unsigned int> ReadCells() const;
+
+  /// From the copy of the counters: what the tile holds.
+  Outcome Count();
+
+  /// The same of a tile that was ended by its sum.
+  void CountSummed();
   void ReleaseBuffers(bool contextAlive = true);
 
   /// After the geometry was drawn: fills in how many fragments each cell holds, as the units tell and what is free in
@@ -161,6 +169,8 @@ private:
 
   std::map<unsigned int, vtkTranslucencyBuffer> Buffers; // by their binding
   vtkTranslucencyBuffer Counters;
+  vtkTranslucencyBuffer CountersRead; // a copy of them
+  bool Summed = false;                // the last tile was ended by its sum, and is yet to be counted
   vtkTranslucencyBuffer LayoutBlock;
 
   vtkTypeInt64 InitialFragments = 0;

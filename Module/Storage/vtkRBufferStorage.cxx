@@ -4,10 +4,17 @@
 
 #include "Common/Bindings.glsl"
 #include "Storage/CellLayout.glsl"
+#include "vtkTranslucencyOption.h"
 
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkRBufferStorage);
+
+//------------------------------------------------------------------------------
+void vtkRBufferStorage::SetQueueReads(int fragments)
+{
+  vtkTranslucencyOption::SetInteger(this, "QueueReads", this->QueueReads, fragments, 1, VTK_INT_MAX);
+}
 
 //------------------------------------------------------------------------------
 const char* vtkRBufferStorage::GetShaderName() const
@@ -35,10 +42,9 @@ const char* vtkRBufferStorage::GetRetrieval() const
 }
 
 //------------------------------------------------------------------------------
-std::array<int, 2> vtkRBufferStorage::BeginRetrieval()
+void vtkRBufferStorage::BeginRetrieval()
 {
   this->ClearTable(); // which held what was drawn last
-  return this->GetCells();
 }
 
 //------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ public:
   vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::RBuffer; }
   const char* GetShaderName() const override;
   const char* GetRetrieval() const override;
-  std::array<int, 2> BeginRetrieval() override;
+  void BeginRetrieval() override;
   vtkTypeInt64 GetMostRetrievals() const override;
   std::map<std::string, std::string> GetDefines() const override;
 
@@ -42,9 +42,9 @@ public:
   /**
    * How many fragments of its queue an invocation reads in one drawing, 32768 by default. A pass over a longer queue
    * takes several drawings: on a GPU one thread reads a few hundred thousand fragments a second, and drivers end a
-   * drawing that takes seconds. Another number than a positive one is taken for 1.
+   * drawing that takes seconds. A value below 1 is an error and changes nothing.
    */
-  vtkSetClampMacro(QueueReads, int, 1, VTK_INT_MAX);
+  void SetQueueReads(int fragments);
   vtkGetMacro(QueueReads, int);
   ///@}
 

@@ -4,6 +4,7 @@
 
 #include "Common/Bindings.glsl"
 #include "Storage/CellLayout.glsl"
+#include "vtkTranslucencyOption.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,15 +19,9 @@ void vtkSectionStorage::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkSectionStorage::SetSectionLength(int fragments)
 {
-  if (fragments < 1 || fragments > LongestSection)
+  if (vtkTranslucencyOption::SetInteger(this, "SectionLength", this->SectionLength, fragments, 1, LongestSection))
   {
-    vtkErrorMacro(<< "SectionLength is " << fragments << ", expected 1 to " << LongestSection << " fragments");
-    return;
-  }
-  if (this->SectionLength != fragments)
-  {
-    this->UseSectionLength(fragments);
-    this->Modified();
+    this->ForgetUnits();
   }
 }
 

@@ -61,6 +61,10 @@ void vtkFragmentTracePass::RenderTranslucent(const vtkRenderState* state, vtkRen
 //------------------------------------------------------------------------------
 bool vtkFragmentTracePass::UseLists(vtkTranslucencyFrame& frame)
 {
+  if (!frame.IsComplete())
+  {
+    return true; // it will be gathered again
+  }
   if (frame.GetSamples() > 1)
   {
     return frame.Fail("a pixel has " + std::to_string(frame.GetSamples()) +

@@ -67,6 +67,10 @@ void vtkStorageCountPass::RenderTranslucent(const vtkRenderState* state, vtkRend
 //------------------------------------------------------------------------------
 bool vtkStorageCountPass::UseLists(vtkTranslucencyFrame& frame)
 {
+  if (!frame.IsComplete())
+  {
+    return true; // it will be gathered again
+  }
   const auto& tile = frame.GetTile();
   std::vector<unsigned int> pixels(static_cast<std::size_t>(tile[2]) * tile[3]);
   const auto bytes = static_cast<vtkTypeInt64>(pixels.size() * sizeof(unsigned int));

@@ -16,7 +16,11 @@
 #define STORAGE_BINDINGS 8
 
 #define RESOLVE_SQUARE 16 // pixels, see Statistics.glsl
-#define STATISTICS_WORDS 4 // before those of squares, see Statistics.glsl
+// Words of the statistics before those of squares, see Statistics.glsl: of the whole frame, then of a tile's storage,
+// then of its resolves.
+#define STATISTICS_TILE 2
+#define STATISTICS_RESOLVES 6
+#define STATISTICS_WORDS 8
 #define LEVEL_SAMPLES 31  // pixels whose samples differ and wait in SampleColors.glsl
 #define LEVEL_EACH_SAMPLE 30 // pixels whose samples differ and are resolved one by one, see Samples.glsl
 

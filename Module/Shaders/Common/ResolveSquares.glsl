@@ -9,7 +9,8 @@
 // up to whole squares: a point whose centre is outside would be clipped.
 //
 // A square is drawn by the resolve whose range its number of fragments falls into, resolveFewer < n <= resolveMost, and
-// by those to whose level a pixel of it was left. Squares in which nothing is stored are not drawn.
+// by those to whose level a pixel of it was left. Squares in which nothing is stored are not drawn; and none is where
+// fragments did not fit: the application asks for that after the resolves, and then draws the tile again.
 //
 // Needs: SAMPLES, UNITS_ARE_FRAGMENTS.  Gives: main.
 #include "Common/Bindings.glsl"
@@ -36,7 +37,8 @@ void main()
   int expected = int(squareFragments(frameTile.xy + at * RESOLVE_SQUARE));
   uint levels = texelFetch(statisticsTexels, STATISTICS_WORDS + square).x;
   bool left = (levels & (1u << resolveLevel)) != 0u;
-  bool drawn = left || (expected > resolveFewer && expected <= resolveMost);
+  bool fitted = texelFetch(statisticsTexels, STATISTICS_TILE).x == 0u; // cellsOverflowed
+  bool drawn = fitted && (left || (expected > resolveFewer && expected <= resolveMost));
 #if SAMPLES > 1
   drawn = drawn && (resolveAmong < 0 || (levels & (1u << resolveAmong)) != 0u);
 #endif

@@ -17,7 +17,12 @@ layout(std430, binding = STORAGE_BINDING_STATISTICS) buffer TranslucencyStatisti
 {
   uint deepestPixel; // fragments, of all tiles so far
   uint unfinished;   // not 0 if a list was not read to its end
-  uint leftLevels;   // of this tile: bit n is set if a pixel was left to level n
+  // Of this tile:
+  uint cellsOverflowed; // not 0 if fragments did not fit: Storage/SumCells.glsl
+  uint cellsFragments;
+  uint cellsUnits;
+  uint fullestCell; // fragments
+  uint leftLevels;  // bit n is set if a pixel was left to level n
   uint unused;
   uint squareLevels[]; // the same for each square, row by row
 };
