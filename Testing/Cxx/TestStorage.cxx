@@ -439,6 +439,23 @@ private:
 };
 }
 
+TEST_F(TestStorageOrder, WhatDidNotFitIsDrawnOnce)
+{
+  View view(RandomLayers(120, 90, 68, 40, 0.02, 0.5));
+  for (const char* technique : { "exact", "adaptive", "fourier" })
+  {
+    for (const Storage& storage : { LinkedList, TBuffer, MBuffer, RBuffer })
+    {
+      SCOPED_TRACE(technique + storage.Name);
+      const auto pass = New(storage, technique);
+      CellStorageOf(pass)->SetInitialFragments(120 * 90);
+      view.SetPass(pass);
+      const Picture first = view.Render();
+      EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
+    }
+  }
+}
+
 TEST_F(TestStorageOrder, OneWaitAFrameIsEnough)
 {
   View view(RandomLayers(400, 300, 67, 10, 0.02, 0.5));
