@@ -83,7 +83,7 @@ public:
   }
 
   /// "Name" stands for the file Storage/Name.glsl of Module/Shaders; shaders include it as Storage/Selected.glsl.
-  virtual const char* GetShaderName() const = 0;
+  virtual std::string GetShaderName() const = 0;
 
   /// What shaders that store or read fragments need defined.
   virtual std::map<std::string, std::string> GetDefines() const;

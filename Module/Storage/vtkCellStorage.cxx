@@ -5,6 +5,7 @@
 #include "Common/Bindings.glsl"
 #include "Storage/CellLayout.glsl"
 #include "vtkCellRoom.h"
+#include "vtkFragmentCounter.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyOption.h"
 
@@ -50,6 +51,7 @@ vtkTypeInt64 WideCount(const unsigned int* words)
 //------------------------------------------------------------------------------
 vtkCellStorage::vtkCellStorage()
   : Room(new vtkCellRoom)
+  , Counter(new vtkFragmentCounter)
 {
 }
 
@@ -126,6 +128,12 @@ vtkTypeInt64 vtkCellStorage::GetUnitsAllowed(
     units = std::min(units, std::floor((this->GetLimitBytes(capabilities) - pixelBytes) / unitBytes));
   }
   return static_cast<vtkTypeInt64>(std::max(units, -1.0));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkCellStorage::GetShaderName() const
+{
+  return std::string(this->GetFileName()) + (this->KeepsDrawOrder ? "InOrder" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -332,41 +340,22 @@ vtkTypeInt64 vtkCellStorage::CountUnits(const unsigned int* cell) const
 }
 
 //------------------------------------------------------------------------------
+// Fills in what shaders have not counted, for later shaders, too.
 void vtkCellStorage::CountFragments(std::vector<unsigned int>& cells)
 {
-  const bool units = this->UnitsAreFragments();
-  if (!units &&
-    (!this->KeepsDrawOrder || this->Linked != Links::None)) // counted by shaders; or before, and no entries any more
+  if (this->UnitsAreFragments()) // which shaders know
   {
-    return;
-  }
-  const auto length = static_cast<unsigned int>(this->GetUnitFragments());
-  for (std::size_t first = 0; first < cells.size(); first += CELL_WORDS)
-  {
-    unsigned int* words = &cells[first];
-    words[CELL_FRAGMENTS] = (words[CELL_NEXT] - words[CELL_FIRST] + words[CELL_PIXELS]) * length;
-  }
-  if (units) // which shaders know, too
-  {
-    return;
-  }
-  const int width = this->Tile[2];
-  const int shift = vtkCellRoom::GetCellShift(this->Tile);
-  const int across = this->GetCells()[0];
-  this->Entries.resize(static_cast<std::size_t>(Pixels(this->Tile)));
-  this->Buffers[STORAGE_BINDING_TABLE].Download(this->Entries.data(), Pixels(this->Tile) * WordBytes);
-  for (int y = 0; y < this->Tile[3]; ++y)
-  {
-    for (int column = 0; column < across; ++column)
+    for (std::size_t first = 0; first < cells.size(); first += CELL_WORDS)
     {
-      const int x = column << shift;
-      const int pixels = std::min(1 << shift, width - x);
-      const std::size_t cell = static_cast<std::size_t>(y >> shift) * across + column;
-      cells[cell * CELL_WORDS + CELL_FRAGMENTS] -=
-        this->CountFree(&this->Entries[static_cast<std::size_t>(y) * width + x], pixels);
+      cells[first + CELL_FRAGMENTS] = cells[first + CELL_NEXT] - cells[first + CELL_FIRST];
     }
   }
-  this->Counters.Upload(cells.data(), CounterBytes(this->Tile));
+  else if (this->KeepsDrawOrder && this->Linked == Links::None) // else there are no entries any more
+  {
+    this->Counter->Count(cells, this->Tile, this->GetUnitFragments(), this->Buffers[STORAGE_BINDING_TABLE],
+      [this](const unsigned int* entries, int count) { return this->CountFree(entries, count); });
+    this->Counters.Upload(cells.data(), CounterBytes(this->Tile));
+  }
 }
 
 //------------------------------------------------------------------------------

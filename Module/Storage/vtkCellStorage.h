@@ -20,9 +20,10 @@
 #include "vtkStorageDesign.h"      // for GetDesign
 #include "vtkTranslucencyBuffer.h" // for the buffers
 
-#include <memory> // for the room
+#include <memory> // for the room and the counter
 
 class vtkCellRoom;
+class vtkFragmentCounter;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkCellStorage : public vtkFragmentStorage
 {
@@ -58,6 +59,7 @@ public:
   /// What they have counted in the tile, after Shaders/Storage/CountAccesses.glsl has read all fragments once.
   vtkStorageDesign::Accesses GetAccesses();
 
+  std::string GetShaderName() const override;
   std::map<std::string, std::string> GetDefines() const override;
   void BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities) override;
   std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
@@ -101,6 +103,10 @@ protected:
     int TexelWords = 0;            // and the words of one
   };
 
+  /// "Name" stands for the file Storage/Name.glsl of Module/Shaders, and Storage/NameInOrder.glsl, which is used where
+  /// the driver keeps the order of drawing, as software rasterizers do.
+  virtual const char* GetFileName() const = 0;
+
   virtual std::vector<Layout> GetLayouts() const = 0;
 
   /// Fragments that a unit has room for.
@@ -115,7 +121,7 @@ protected:
   /// Whether a unit is a fragment, and none is taken in vain.
   virtual bool UnitsAreFragments() const { return false; }
 
-  /// Of some entries of the table: the places for fragments that their pixels have taken and not filled.
+  /// See vtkFragmentCounter.
   virtual unsigned int CountFree(const unsigned int* vtkNotUsed(entries), int vtkNotUsed(count)) const { return 0; }
 
   /// After a tile was stored: the words of all its cells.
@@ -151,9 +157,6 @@ private:
   void CountSummed();
   void ReleaseBuffers(bool contextAlive = true);
 
-  /// After the geometry was drawn: fills in how many fragments each cell holds, as the units tell and what is free in
-  /// them, for the shaders, too. That costs less than an atomic operation a fragment. Where the order of drawing isn't
-  /// kept, units may be free for other reasons, and the shaders have counted.
   void CountFragments(std::vector<unsigned int>& cells);
 
   /// Units that a cell has needed.
@@ -176,6 +179,7 @@ private:
   vtkTypeInt64 InitialFragments = 0;
   bool CountAccesses = false;
   std::unique_ptr<vtkCellRoom> Room;
+  std::unique_ptr<vtkFragmentCounter> Counter;
   Rectangle Tile{ { 0, 0, 0, 0 } };
   double LimitBytes = 0;
   double BlockBytes = 0;
@@ -184,7 +188,6 @@ private:
   vtkTypeInt64 Fragments = 0;
   vtkTypeInt64 FullestCell = 0; // fragments
   bool KeepsDrawOrder = false;
-  std::vector<unsigned int> Entries; // the table's, as they were last counted
   Links Linked = Links::None;        // in the current tile
 };
 

@@ -12,7 +12,7 @@
 vtkStandardNewMacro(vtkLinkedListStorage);
 
 //------------------------------------------------------------------------------
-const char* vtkLinkedListStorage::GetShaderName() const
+const char* vtkLinkedListStorage::GetFileName() const
 {
   return "LinkedList";
 }

@@ -16,7 +16,7 @@
  *
  * A software rasterizer draws the fragments of a pixel in order and one at a time. There a pixel takes four nodes at
  * once, side by side: a quarter of the atomic operations, and resolves read four fragments at a time
- * (Shaders/Storage/LinkedList.glsl). What is left of the last four is empty.
+ * (Shaders/Storage/LinkedListInOrder.glsl). What is left of the last four is empty.
  *
  * Bytes per pixel: 4, and 16 (or 12) for each fragment, with an eighth more; on a software rasterizer for each of four,
  * if only one of them is there.
@@ -33,12 +33,12 @@ public:
   vtkTypeMacro(vtkLinkedListStorage, vtkCellStorage);
 
   vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::LinkedList; }
-  const char* GetShaderName() const override;
 
 protected:
   vtkLinkedListStorage() = default;
   ~vtkLinkedListStorage() override = default;
 
+  const char* GetFileName() const override;
   std::vector<Layout> GetLayouts() const override;
   int GetUnitFragments() const override;
   bool UnitsAreFragments() const override { return !this->GetKeepsDrawOrder(); }

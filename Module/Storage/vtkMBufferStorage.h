@@ -12,7 +12,7 @@
  * as much.
  *
  * The paper's pointers lead from a pixel's own section to the others; here a pixel's entry names the one that is being
- * filled, and its own comes last (Shaders/Storage/Sections.glsl).
+ * filled, and its own comes last (Shaders/Storage/SectionPlaces.glsl).
  */
 #ifndef vtkMBufferStorage_h
 #define vtkMBufferStorage_h

@@ -17,7 +17,7 @@ void vtkRBufferStorage::SetQueueReads(int fragments)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkRBufferStorage::GetShaderName() const
+const char* vtkRBufferStorage::GetFileName() const
 {
   return "RBuffer";
 }

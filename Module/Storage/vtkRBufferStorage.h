@@ -32,7 +32,6 @@ public:
   vtkTypeMacro(vtkRBufferStorage, vtkCellStorage);
 
   vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::RBuffer; }
-  const char* GetShaderName() const override;
   const char* GetRetrieval() const override;
   void BeginRetrieval() override;
   vtkTypeInt64 GetMostRetrievals() const override;
@@ -52,6 +51,7 @@ protected:
   vtkRBufferStorage() = default;
   ~vtkRBufferStorage() override = default;
 
+  const char* GetFileName() const override;
   std::vector<Layout> GetLayouts() const override;
   vtkTypeInt64 GetMostUnits(const Rectangle& tile) const override;
   bool UnitsAreFragments() const override { return true; }

@@ -54,7 +54,7 @@ std::map<std::string, std::string> vtkSectionStorage::GetDefines() const
 }
 
 //------------------------------------------------------------------------------
-const char* vtkSectionStorage::GetShaderName() const
+const char* vtkSectionStorage::GetFileName() const
 {
   return "Sections";
 }

@@ -41,7 +41,6 @@ public:
 
   int GetSectionFragments() const override { return this->SectionLength; }
   std::map<std::string, std::string> GetDefines() const override;
-  const char* GetShaderName() const override;
 
 protected:
   vtkSectionStorage() = default;
@@ -53,6 +52,7 @@ protected:
   /// From the next tile on.
   void UseSectionLength(int fragments);
 
+  const char* GetFileName() const override;
   std::vector<Layout> GetLayouts() const override;
   int GetUnitFragments() const override { return this->SectionLength; }
   vtkTypeInt64 GetMostUnits(const Rectangle& tile) const override;

@@ -12,7 +12,7 @@
  * as its fragments fill, the last one in part.
  *
  * The paper's chains begin with a pixel's first section; here the entry names the one that is being filled
- * (Shaders/Storage/Sections.glsl).
+ * (Shaders/Storage/SectionPlaces.glsl).
  */
 #ifndef vtkTBufferStorage_h
 #define vtkTBufferStorage_h

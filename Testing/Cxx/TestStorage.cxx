@@ -459,6 +459,7 @@ TEST_F(TestStorageOrder, WhatDidNotFitIsDrawnOnce)
 TEST_F(TestStorageOrder, OneWaitAFrameIsEnough)
 {
   View view(RandomLayers(400, 300, 67, 10, 0.02, 0.5));
+  view.Render();
   if (KeepsDrawOrder(view))
   {
     GTEST_SKIP() << "the application has a part in counting";

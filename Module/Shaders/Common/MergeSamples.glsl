@@ -12,16 +12,16 @@
 // Each sample still has one fragment of that opacity at that place. The mean over the pixel's samples stays what it
 // was, except where another edge goes through the pixel: there it is off by at most a quarter of the tolerance, 1/128.
 //
-// Reading what other fragments of the pixel have stored takes a driver that shades them one after the other.
+// Reading what other fragments of the pixel have stored takes a driver that shades them one after the other: this is for
+// storages in order.
 //
-// Needs: SAMPLES, COLOR_FORMAT, FRAGMENT_ORDER, TRANSMITTANCE_CHANNELS.  Gives: MERGES_SAMPLES, and if that is 1:
+// Needs: SAMPLES, COLOR_FORMAT, TRANSMITTANCE_CHANNELS.  Gives: MERGES_SAMPLES, and if that is 1:
 // mayMerge, mergeFragments.
 #ifndef MergeSamples_glsl
 #define MergeSamples_glsl
 #include "Common/Fragment.glsl"
-#include "Common/Order.glsl"
 
-#if SAMPLES > 1 && FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN
+#if SAMPLES > 1
 #define MERGES_SAMPLES 1
 
 // A channel is compared and averaged as it is packed. The bits of half floats are in the order of their values and

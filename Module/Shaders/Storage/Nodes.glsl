@@ -6,16 +6,15 @@
 // Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node
 // in 24 bits (0: none), so that the coverage finds room beside it.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS, UNIT_LENGTH (nodes
-// that a pixel takes at a time).
-// Gives: nodeRoom, writeNode, mergeIntoNode, and of what Shaders/README.md asks of a storage all but storeFragment.
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, COUNT_ACCESSES, NODE_LINKS, UNIT_LENGTH (nodes that a pixel takes
+// at a time), and may have NODE_PAIRS (Storage/NodePairs.glsl).
+// Gives: nodeRoom, writeNode, and of what Shaders/README.md asks of a storage all but storeFragment and READ_GROUP.
 #ifndef Nodes_glsl
 #define Nodes_glsl
 #ifndef NODE_LINKS
 #error "Storage/Nodes.glsl needs NODE_LINKS"
 #endif
 #include "Common/Fragment.glsl"
-#include "Common/MergeSamples.glsl"
 #include "Storage/Heads.glsl"
 
 // A node is next, depth, and the words of the colour that are in use.
@@ -39,18 +38,6 @@ layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer ListNodes
 #define FETCH_NODES (FRAGMENTS_READ_ONLY && NODE_WORDS <= MOST_TEXEL_WORDS)
 #if FETCH_NODES
 uniform usamplerBuffer fragmentTexels;
-#endif
-
-// The same, two words at a time, where there are such numbers: the software rasterizer stores each component on its
-// own, and checks where to.
-#if NODE_WORDS == 4 && FRAGMENT_ORDER == FRAGMENT_ORDER_DRAWN && defined(GL_ARB_gpu_shader_int64)
-#define NODE_PAIRS 1
-layout(std430, binding = STORAGE_BINDING_FRAGMENTS) buffer NodePairs
-{
-  u64vec2 nodePairs[];
-};
-#else
-#define NODE_PAIRS 0
 #endif
 
 // Nodes that the buffer has room for.
@@ -96,7 +83,7 @@ uint unpackCoverage(uint link)
 void writeNode(uint index, uint next, Fragment fragment)
 {
   uint link = packLink(index + 1u, next, fragment.coverage);
-#if NODE_PAIRS
+#if defined(NODE_PAIRS) && NODE_WORDS == 4
   nodePairs[index] =
     u64vec2(packUint2x32(uvec2(link, floatBitsToUint(fragment.depth))), packUint2x32(fragment.color.xy));
 #elif NODE_WORDS == 4
@@ -132,25 +119,6 @@ Fragment loadNode(uint node, out uint next)
   next = unpackNext(node, words.x);
   return Fragment(uintBitsToFloat(words.y), PackedColor(uvec3(words.zw, last)), unpackCoverage(words.x));
 }
-
-#if MERGES_SAMPLES
-// Whether a fragment has joined the one that was stored last in its pixel; 0 if there is none. A node behind the last
-// one is counted only.
-bool mergeIntoNode(uint last, Fragment fragment, float depthExtent)
-{
-  if (last != 0u && last <= nodeRoom())
-  {
-    uint next;
-    Fragment stored = loadNode(last, next);
-    if (mayMerge(stored, fragment, depthExtent))
-    {
-      writeNode(last - 1u, next, mergeFragments(stored, fragment));
-      return true;
-    }
-  }
-  return false;
-}
-#endif
 
 void linkNode(uint node, uint next)
 {
@@ -203,32 +171,5 @@ bool nextFragment(inout uint cursor, out Fragment fragment)
   fragment = atSample(loadNode(cursor, cursor));
   return true;
 }
-
-// As many fragments as are read together: a run of nodes, where none has been moved. Those that are not there are
-// empty. Gives the number of those that are.
-#if NODE_LINKS < 2 && UNIT_LENGTH > 1
-#define READ_GROUP NODE_RUN
-
-uint nextGroup(inout uint cursor, out Fragment group[READ_GROUP])
-{
-  uint run = cursor == 0u ? 0u : (cursor - 1u) / uint(UNIT_LENGTH) * uint(UNIT_LENGTH);
-  uint count = cursor - run;
-  uint next = 0u;
-  for (int i = 0; i < READ_GROUP; ++i)
-  {
-    uint place = run + uint(UNIT_LENGTH) - 1u - uint(i);
-    Fragment fragment = loadNode(place + 1u, next);
-    group[i] = EMPTY_FRAGMENT(BLOCK_EMPTY);
-    if (place < cursor)
-    {
-      group[i] = atSample(fragment);
-    }
-  }
-  cursor = cursor == 0u ? 0u : next; // of the run's first node
-  return count;
-}
-#else
-#define READ_GROUP 1
-#endif
 
 #endif

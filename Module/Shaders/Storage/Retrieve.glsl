@@ -17,10 +17,10 @@
 // is unread is linked behind what was put back, whose last fragment the cell keeps. So a drawing ends before a driver
 // takes it for one that hangs, and where a driver ends a loop after a number of rounds, the next drawing goes on.
 //
-// Needs: QUEUE_READS, FRAGMENT_ORDER, and what Storage/RBuffer.glsl needs.  Gives: main; the fragment is discarded when
+// Needs: QUEUE_READS, FRAGMENT_ORDER, and what the storage needs.  Gives: main; the fragment is discarded when
 // the cell's queue is empty.
 #include "Common/Order.glsl"
-#include "Storage/RBuffer.glsl"
+#include "Storage/Selected.glsl"
 #ifndef QUEUE_READS
 #error "Storage/Retrieve.glsl needs QUEUE_READS"
 #endif
