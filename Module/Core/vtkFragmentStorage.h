@@ -82,6 +82,9 @@ public:
     this->Samples = samples;
   }
 
+  /// As the option storage has it.
+  virtual const char* GetName() const = 0;
+
   /// "Name" stands for the file Storage/Name.glsl of Module/Shaders; shaders include it as Storage/Selected.glsl.
   virtual std::string GetShaderName() const = 0;
 

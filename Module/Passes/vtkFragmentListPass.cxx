@@ -3,37 +3,14 @@
 #include "vtkFragmentListPass.h"
 
 #include "Common/Bindings.glsl"
-#include "vtkCellStorage.h"
 #include "vtkLinkedListStorage.h"
-#include "vtkMBufferStorage.h"
-#include "vtkRBufferStorage.h"
-#include "vtkStorageDesign.h"
-#include "vtkTBufferStorage.h"
+#include "vtkSectionStorage.h"
+#include "vtkStorageTable.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFrame.h"
 #include "vtkTranslucencyOption.h"
 
 #include <algorithm>
-
-namespace
-{
-using Design = vtkStorageDesign::Kind;
-
-vtkSmartPointer<vtkFragmentStorage> NewStorage(Design design)
-{
-  switch (design)
-  {
-    case Design::TBuffer:
-      return vtkSmartPointer<vtkTBufferStorage>::New();
-    case Design::RBuffer:
-      return vtkSmartPointer<vtkRBufferStorage>::New();
-    case Design::MBuffer:
-      return vtkSmartPointer<vtkMBufferStorage>::New();
-    default:
-      return vtkSmartPointer<vtkLinkedListStorage>::New();
-  }
-}
-}
 
 //------------------------------------------------------------------------------
 vtkFragmentListPass::vtkFragmentListPass()
@@ -85,7 +62,7 @@ void vtkFragmentListPass::SetStorageDesign(int design)
   if (vtkTranslucencyOption::Check(this, vtkFragmentListPass::GetOptions(), "StorageDesign", design) &&
     this->GetStorageDesign() != design)
   {
-    const auto storage = NewStorage(vtkStorageDesign::GetAll().at(static_cast<std::size_t>(design)));
+    const auto storage = vtkStorageTable::New(design);
     storage->SetColorFormat(this->Storage->GetColorFormat());
     storage->SetMemoryLimit(this->Storage->GetMemoryLimit());
     this->SetStorage(storage);
@@ -96,8 +73,9 @@ void vtkFragmentListPass::SetStorageDesign(int design)
 //------------------------------------------------------------------------------
 int vtkFragmentListPass::GetStorageDesign()
 {
-  auto* storage = vtkCellStorage::SafeDownCast(this->Storage);
-  return storage ? static_cast<int>(storage->GetDesign()) : -1;
+  const std::vector<std::string>& names = vtkStorageTable::GetNames();
+  const auto found = std::find(names.begin(), names.end(), this->Storage->GetName());
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
 //------------------------------------------------------------------------------
@@ -130,13 +108,10 @@ void vtkFragmentListPass::UseSectionLength()
 std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
-  vtkTranslucencyOption design{ "StorageDesign", "storage", Kind::Choice, LinkedList, 0, MBuffer, {},
+  vtkTranslucencyOption design{ "StorageDesign", "storage", Kind::Choice, LinkedList, 0,
+    static_cast<double>(vtkStorageTable::GetNames().size() - 1), vtkStorageTable::GetNames(),
     "where fragments lie until they are resolved: the picture is the same", [this] { return this->GetStorageDesign(); },
     [this](double value) { this->SetStorageDesign(static_cast<int>(value)); } };
-  for (Design choice : vtkStorageDesign::GetAll())
-  {
-    design.Choices.push_back(vtkStorageDesign::GetName(choice));
-  }
   std::vector<vtkTranslucencyOption> options{ design,
     { "SectionLength", "section_length", Kind::Integer, 4, 1, vtkSectionStorage::LongestSection, {},
       "fragments in a section of the t-buffer or m-buffer: longer ones for deeper scenes; the m-buffer's are as long "

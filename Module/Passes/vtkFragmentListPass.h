@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * The design of the storage (in the order of vtkStorageDesign): LinkedList (the default), TBuffer, RBuffer or
+   * The design of the storage (in the order of vtkStorageTable): LinkedList (the default), TBuffer, RBuffer or
    * MBuffer. Another design makes a new storage, with the colour format and the memory limit of the one before. Another
    * value is an error and changes nothing. -1 where SetStorage has given one of none of these designs.
    */

@@ -272,7 +272,10 @@ vtkCellRoom::Units vtkCellRoom::Foresee(const Rectangle& tile, const Unit& unit)
   for (std::size_t cell = 0; cell < wide.size(); ++cell)
   {
     const double covered = this->Covered[cell];
-    const double fragments = unit.FragmentsOfBox * covered * std::max(0.0, densities[cell]);
+    // What comes from farther away than that finds room in units that are not full, or, where those are single
+    // fragments, in that of one box.
+    const double ofOneBox = unit.Fragments > 1 ? 0 : std::min(covered, static_cast<double>(pixels));
+    const double fragments = unit.FragmentsOfBox * std::max(ofOneBox, covered * densities[cell]);
     units.push_back(std::max(wide[cell], GetExpectedUnits(unit, fragments, covered, pixels)));
   }
   return Sum(units) <= GetMostForeseen(tile, unit) ? units : wide;

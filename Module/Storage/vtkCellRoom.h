@@ -5,12 +5,14 @@
  *
  * - A tile that was never drawn: two fragments per pixel for each box of a prop, the front and the back of a closed
  *   surface, at least 1 in all, and less where these would be more than 16 on average. In multi-sampled windows a
- *   quarter more: pixels on edges hold a fragment of each triangle, if these are not merged.
+ *   quarter more where the driver keeps the order of drawing, and else five: pixels on edges hold a fragment of each
+ *   triangle, if these are not merged.
  * - A viewport of another size than the one before: what was seen there, scaled about the middle to the new height.
  * - A tile that was drawn before: what its cells took, and an eighth more.
  * - The same while the view moves: what the fullest of a cell and its neighbours within two cells took, or, if that is
  *   more, what they held of two fragments for each box times the boxes that lie there now, unless these would be more
- *   than 16 on average; and an eighth more. The view moves where boxes are others than in the frame before, and for a
+ *   than 16 on average; where units are single fragments at least two for each pixel that boxes cover; and an eighth
+ *   more. The view moves where boxes are others than in the frame before, and for a
  *   while after a frame that did not fit.
  *
  * More than was counted is given only where the limit allows it, and what is guessed takes half of the limit at most.

@@ -196,7 +196,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
   this->LimitBytes = this->GetLimitBytes(capabilities);
   this->BlockBytes = static_cast<double>(capabilities.MaximumBlockBytes);
   this->UnitsAllowed = this->GetUnitsAllowed(tile, capabilities);
-  const double fragmentsOfBox = this->Samples > 1 ? 2.5 : 2;
+  const double fragmentsOfBox = this->Samples == 1 ? 2 : this->KeepsDrawOrder ? 2.5 : 5;
   const vtkCellRoom::Unit unit{ this->GetUnitFragments(), this->GetPixelFragments(), fragmentsOfBox };
   const vtkTypeInt64 least = vtkCellRoom::GetUnitsFor(unit, Pixels(tile), Pixels(tile));
   if (this->UnitsAllowed < least)

@@ -17,7 +17,7 @@
 #define vtkCellStorage_h
 
 #include "vtkFragmentStorage.h"
-#include "vtkStorageDesign.h"      // for GetDesign
+#include "vtkStorageDesign.h"      // for GetAccesses
 #include "vtkTranslucencyBuffer.h" // for the buffers
 
 #include <memory> // for the room and the counter
@@ -40,9 +40,6 @@ public:
   void SetInitialFragments(vtkTypeInt64 fragments);
   vtkGetMacro(InitialFragments, vtkTypeInt64);
   ///@}
-
-  /// The design that it builds.
-  virtual vtkStorageDesign::Kind GetDesign() const = 0;
 
   /// Of those that have sections: how many fragments one holds; else 1.
   virtual int GetSectionFragments() const { return 1; }

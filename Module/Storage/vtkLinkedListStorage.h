@@ -32,7 +32,7 @@ public:
   static vtkLinkedListStorage* New();
   vtkTypeMacro(vtkLinkedListStorage, vtkCellStorage);
 
-  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::LinkedList; }
+  const char* GetName() const override { return "linked-list"; }
 
 protected:
   vtkLinkedListStorage() = default;

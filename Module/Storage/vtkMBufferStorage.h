@@ -39,7 +39,7 @@ public:
 
   void SetSectionLength(int fragments) override;
 
-  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::MBuffer; }
+  const char* GetName() const override { return "m-buffer"; }
   void BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities) override;
 
 protected:

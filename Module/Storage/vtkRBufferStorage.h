@@ -31,7 +31,7 @@ public:
   static vtkRBufferStorage* New();
   vtkTypeMacro(vtkRBufferStorage, vtkCellStorage);
 
-  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::RBuffer; }
+  const char* GetName() const override { return "r-buffer"; }
   const char* GetRetrieval() const override;
   void BeginRetrieval() override;
   vtkTypeInt64 GetMostRetrievals() const override;

@@ -25,3 +25,16 @@ std::string vtkStorageDesign::GetName(Kind design)
   }
   return "m-buffer";
 }
+
+//------------------------------------------------------------------------------
+std::optional<vtkStorageDesign::Kind> vtkStorageDesign::Find(const std::string& name)
+{
+  for (const Kind design : GetAll())
+  {
+    if (GetName(design) == name)
+    {
+      return design;
+    }
+  }
+  return std::nullopt;
+}

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The designs of fragment storage that there are, and what their shaders count where they are asked to.
+ * The designs of fragment storage that the study (Module/Study) knows closed forms of, and what shaders of storages count
+ * where they are asked to.
  */
 #ifndef vtkStorageDesign_h
 #define vtkStorageDesign_h
@@ -9,6 +10,7 @@
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,9 @@ public:
 
   /// linked-list, t-buffer, r-buffer, m-buffer
   static std::string GetName(Kind design);
+
+  /// The design of that name, if there is one: of a storage by its GetName.
+  static std::optional<Kind> Find(const std::string& name);
 
   /// To memory.
   struct Accesses

@@ -25,7 +25,7 @@ public:
   static vtkTBufferStorage* New();
   vtkTypeMacro(vtkTBufferStorage, vtkSectionStorage);
 
-  vtkStorageDesign::Kind GetDesign() const override { return vtkStorageDesign::Kind::TBuffer; }
+  const char* GetName() const override { return "t-buffer"; }
 
 protected:
   vtkTBufferStorage() = default;

@@ -61,7 +61,8 @@ void vtkStorageCountPass::RenderTranslucent(const vtkRenderState* state, vtkRend
   settings.TSectionLength = this->SectionFragments;
   settings.MSectionLength = this->SectionFragments;
   const vtkStorageAccounting accounting(settings, { this->Histogram });
-  this->PackedBytes = accounting.GetError().empty() ? accounting.GetCost(storage->GetDesign(), 0).Bytes : -1;
+  const auto design = vtkStorageDesign::Find(storage->GetName());
+  this->PackedBytes = design && accounting.GetError().empty() ? accounting.GetCost(*design, 0).Bytes : -1;
 }
 
 //------------------------------------------------------------------------------

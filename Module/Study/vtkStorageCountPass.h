@@ -44,7 +44,7 @@ public:
 
   /**
    * Bytes that hardware built for the design would take for these fragments (vtkStorageAccounting, with its own
-   * packing).
+   * packing); -1 of designs that it does not know.
    */
   vtkGetMacro(PackedBytes, double);
 

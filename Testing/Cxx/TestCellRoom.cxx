@@ -229,15 +229,28 @@ TEST(TestCellRoom, ForeseesNoMoreThanSixteenFragmentsOnAverage)
 // What a line holds in a cell that its box has a corner in tells nothing of cells that it covers.
 TEST(TestCellRoom, ForeseesNothingFromTheCornersOfBoxes)
 {
+  const Room::Unit run{ 4, 0, 2 };
   Room room;
   room.BeginFrame({ { { 10, 20, 12, 22 } } });
-  room.BeginTile(Viewport, Node, 0, NoLimit);
+  room.BeginTile(Viewport, run, 0, NoLimit);
   Units taken(70, 0);
   taken[0] = 64;
   Finish(room, taken);
   room.BeginFrame({ { { 10, 20, 26, 36 } } });
-  room.BeginTile(Viewport, Node, 0, NoLimit);
+  room.BeginTile(Viewport, run, 0, NoLimit);
   EXPECT_EQ(room.GetRanges()[0], 72);
+}
+
+// Boxes that jump farther than cells are widened: units that are not full have room for that, single fragments have not.
+TEST(TestCellRoom, ForeseesOneBoxWhereUnitsAreFragments)
+{
+  Room room;
+  room.BeginFrame({ { { 0, 0, 16, 16 } } });
+  room.BeginTile(Viewport, Node, 0, NoLimit);
+  Finish(room, Units(70, 0));
+  room.BeginFrame(std::vector<Room::Box>(3, { { 64, 64, 80, 80 } }));
+  room.BeginTile(Viewport, Node, 0, NoLimit);
+  EXPECT_EQ(room.GetUnits(), 2 * 256 * 9 / 8);
 }
 
 // What changes within the same box is not seen before it is drawn.

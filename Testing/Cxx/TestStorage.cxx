@@ -152,7 +152,9 @@ void ExpectClosedForms(vtkStorageCountPass* pass)
   settings.MSectionLength = settings.TSectionLength;
   const vtkStorageAccounting accounting(settings, { pass->GetHistogram() });
   ASSERT_EQ(accounting.GetError(), "");
-  const vtkStorageAccounting::Cost cost = accounting.GetCost(CellStorageOf(pass)->GetDesign(), 0);
+  const auto design = vtkStorageDesign::Find(pass->GetStorage()->GetName());
+  ASSERT_TRUE(design);
+  const vtkStorageAccounting::Cost cost = accounting.GetCost(*design, 0);
   EXPECT_GT(cost.Fragments, 0);
   EXPECT_EQ(cost.Fragments, pass->GetStatistics()->GetFragments());
   EXPECT_EQ(pass->GetStores(), cost.Count.Stores);

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The storages that there are: the choices of the option storage, and what the tests of all storages find.
+ */
+#ifndef vtkStorageTable_h
+#define vtkStorageTable_h
+
+#include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkFragmentStorage;
+
+class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStorageTable
+{
+public:
+  /// linked-list, t-buffer, r-buffer, m-buffer: vtkFragmentStorage::GetName of each.
+  static const std::vector<std::string>& GetNames();
+
+  /// A new one, by its place among the names.
+  static vtkSmartPointer<vtkFragmentStorage> New(int index);
+};
+
+#endif
