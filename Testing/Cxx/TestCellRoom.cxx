@@ -250,7 +250,8 @@ TEST(TestCellRoom, ForeseesOneBoxWhereUnitsAreFragments)
   Finish(room, Units(70, 0));
   room.BeginFrame(std::vector<Room::Box>(3, { { 64, 64, 80, 80 } }));
   room.BeginTile(Viewport, Node, 0, NoLimit);
-  EXPECT_EQ(room.GetUnits(), 2 * 256 * 9 / 8);
+  EXPECT_EQ(room.GetRanges()[4 * 10 + 4], 2 * 256 * 9 / 8);
+  EXPECT_EQ(room.GetRanges()[0], 0);
 }
 
 // What changes within the same box is not seen before it is drawn.
