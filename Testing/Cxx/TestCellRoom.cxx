@@ -238,17 +238,17 @@ TEST(TestCellRoom, ForeseesNothingFromTheCornersOfBoxes)
   Finish(room, taken);
   room.BeginFrame({ { { 10, 20, 26, 36 } } });
   room.BeginTile(Viewport, run, 0, NoLimit);
-  EXPECT_EQ(room.GetRanges()[0], 72);
+  EXPECT_EQ(room.GetRanges()[0], 3 * 256 / 4 * 9 / 8) << "runs that are not full";
 }
 
 // Boxes that jump farther than cells are widened: units that are not full have room for that, single fragments have not.
 TEST(TestCellRoom, ForeseesOneBoxWhereUnitsAreFragments)
 {
   Room room;
-  room.BeginFrame({ { { 0, 0, 16, 16 } } });
+  room.BeginFrame({ { { 10, 20, 26, 36 } } });
   room.BeginTile(Viewport, Node, 0, NoLimit);
   Finish(room, Units(70, 0));
-  room.BeginFrame(std::vector<Room::Box>(3, { { 64, 64, 80, 80 } }));
+  room.BeginFrame(std::vector<Room::Box>(3, { { 74, 84, 90, 100 } }));
   room.BeginTile(Viewport, Node, 0, NoLimit);
   EXPECT_EQ(room.GetRanges()[4 * 10 + 4], 2 * 256 * 9 / 8);
   EXPECT_EQ(room.GetRanges()[0], 0);
