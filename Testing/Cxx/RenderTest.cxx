@@ -11,6 +11,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkSphereSource.h>
+#include <vtkStorageTable.h>
 #include <vtkTranslucencyCapabilities.h>
 #include <vtkTranslucencyFactory.h>
 #include <vtkTranslucencyOption.h>
@@ -21,6 +22,7 @@
 #endif
 
 #include <algorithm>
+#include <cctype>
 
 namespace
 {
@@ -192,6 +194,28 @@ vtkSmartPointer<vtkRenderPass> NewPass(const Way& way)
     return vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateTechnique(way.Technique));
   }
   return NewTechnique(way.Technique, { { way.Option, way.Choice } });
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& AllStorages()
+{
+  return vtkStorageTable::GetNames();
+}
+
+//------------------------------------------------------------------------------
+std::string StorageInNames(const std::string& storage)
+{
+  std::string name;
+  bool begins = true;
+  for (char letter : storage)
+  {
+    if (letter != '-')
+    {
+      name += begins ? static_cast<char>(std::toupper(letter)) : letter;
+    }
+    begins = letter == '-';
+  }
+  return name;
 }
 
 //------------------------------------------------------------------------------

@@ -93,6 +93,11 @@ std::vector<Way> AllWays();
 /// A new pass. Fails where it does not take the choice.
 vtkSmartPointer<vtkRenderPass> NewPass(const Way& way);
 
+/// The option values of all storages (vtkStorageTable), the linked list first; and such a value as a part of a test's
+/// name: LinkedList of linked-list.
+const std::vector<std::string>& AllStorages();
+std::string StorageInNames(const std::string& storage);
+
 /// The names of this module's techniques, without those that are VTK's.
 std::vector<std::string> OwnTechniques();
 

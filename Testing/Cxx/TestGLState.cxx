@@ -231,7 +231,7 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWithTransmissionColors)
 //------------------------------------------------------------------------------
 TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWhereListsAreLinkedAnew)
 {
-  for (const char* design : { "linked-list", "t-buffer", "r-buffer", "m-buffer" })
+  for (const std::string& design : AllStorages())
   {
     SCOPED_TRACE(design);
     View view(Deep());

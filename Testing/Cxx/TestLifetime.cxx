@@ -209,9 +209,10 @@ TEST_F(TestLifetimeOfStorage, EndsWithTheDesign)
   auto pass = vtkSmartPointer<vtkABufferPass>::New();
   view.SetPass(pass);
   const Picture drawn = view.Render();
-  for (int design : { vtkFragmentListPass::TBuffer, vtkFragmentListPass::RBuffer, vtkFragmentListPass::MBuffer,
-         vtkFragmentListPass::LinkedList })
+  const int designs = static_cast<int>(AllStorages().size());
+  for (int next = 1; next <= designs; ++next)
   {
+    const int design = next % designs;
     SCOPED_TRACE(design);
     const vtkSmartPointer<vtkFragmentStorage> before = pass->GetStorage();
     EXPECT_GT(before->GetBytes(), 0);
@@ -242,11 +243,12 @@ std::vector<Case> Cases()
     const std::string suffix = samples > 0 ? "MultiSampled" : "";
     // With a choice that holds other objects than the default does, too.
     std::vector<Way> ways = AllWays();
-    ways.push_back({ "exact", "storage", "t-buffer" });
-    if (samples == 0)
+    for (const std::string& storage : AllStorages())
     {
-      ways.push_back({ "exact", "storage", "r-buffer" });
-      ways.push_back({ "exact", "storage", "m-buffer" });
+      if (storage == "t-buffer" || (storage != "linked-list" && samples == 0))
+      {
+        ways.push_back({ "exact", "storage", storage });
+      }
     }
     for (const Way& way : ways)
     {

@@ -114,7 +114,15 @@ void Fill(View& view, bool transmitting)
 
 // One of each design, whatever else changes; other lengths of sections, some of which do not come out even with vectors
 // and blocks.
-const std::vector<Storage> Designs{ LinkedList, TBuffer, MBuffer, RBuffer };
+const std::vector<Storage> Designs = []
+{
+  std::vector<Storage> designs;
+  for (const std::string& name : AllStorages())
+  {
+    designs.push_back({ StorageInNames(name), { { "storage", name } }, name != "r-buffer" });
+  }
+  return designs;
+}();
 const std::vector<Storage> Lengths{ Sections("T", "t-buffer", 1), Sections("T", "t-buffer", 2),
   Sections("T", "t-buffer", 3), Sections("T", "t-buffer", 8), Sections("T", "t-buffer", 64),
   Sections("M", "m-buffer", 1), Sections("M", "m-buffer", 5) };
@@ -446,7 +454,7 @@ TEST_F(TestStorageOrder, WhatDidNotFitIsDrawnOnce)
   View view(RandomLayers(120, 90, 68, 40, 0.02, 0.5));
   for (const char* technique : { "exact", "adaptive", "fourier" })
   {
-    for (const Storage& storage : { LinkedList, TBuffer, MBuffer, RBuffer })
+    for (const Storage& storage : Designs)
     {
       SCOPED_TRACE(technique + storage.Name);
       const auto pass = New(storage, technique);

@@ -282,7 +282,7 @@ namespace
 {
 struct Storage
 {
-  const char* Name;
+  std::string Name;
   Settings Options;
   int Passes; // over the geometry in the first frame, at least: gathering may have to grow the storage, and then
               // inserting
@@ -354,9 +354,20 @@ TEST_P(TestVolumesInStorage, AreAsInLinkedLists)
 
 namespace
 {
-const Storage TBuffer{ "TBuffer", { { "storage", "t-buffer" } }, 3 };
-const Storage MBuffer{ "MBuffer", { { "storage", "m-buffer" } }, 2 };
-const Storage RBuffer{ "RBuffer", { { "storage", "r-buffer" } }, 3 };
+// All but the linked lists, which others draw.
+std::vector<Storage> OtherStorages()
+{
+  std::vector<Storage> storages;
+  for (const std::string& name : AllStorages())
+  {
+    if (name != "linked-list")
+    {
+      // The M-buffer has room for some fragments of each pixel from the start.
+      storages.push_back({ StorageInNames(name), { { "storage", name } }, name == "m-buffer" ? 2 : 3 });
+    }
+  }
+  return storages;
+}
 
 Storage Sections(const char* name, const char* design, const char* length, int passes)
 {
@@ -372,7 +383,7 @@ std::string NameOf(const testing::TestParamInfo<std::tuple<Storage, const char*,
 
 INSTANTIATE_TEST_SUITE_P(Designs, TestVolumesInStorage,
   testing::Combine(
-    testing::Values(TBuffer, MBuffer, RBuffer), testing::Values("exact", "adaptive"), testing::Values(0, 4)),
+    testing::ValuesIn(OtherStorages()), testing::Values("exact", "adaptive"), testing::Values(0, 4)),
   NameOf);
 
 // Inserted fragments find room in the sections that gathering has to spare, or not.
