@@ -187,8 +187,8 @@ void vtkTranslucencyFrame::Finish(vtkFragmentStorage::Outcome outcome)
   }
   else if (this->Tiles.IsSmallest())
   {
-    this->HasRoom = this->Fail("the driver has no memory for the " + std::to_string(this->Storage->GetFragments()) +
-      " fragments of one pixel");
+    this->HasRoom = this->Fail(
+      "the driver has no memory for the " + std::to_string(this->Storage->GetFragments()) + " fragments of one pixel");
   }
   else
   {

@@ -192,7 +192,8 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
   }
   squares.Most = VTK_INT_MAX;
   defines["UNFINISHED_LEVEL"] = LevelText(Long);
-  return (!frame.IsLeftTo(squares) || frame.Resolve(folder + "/Resolve.glsl", defines, squares, range)) && this->ResolveLeftLists(frame);
+  return (!frame.IsLeftTo(squares) || frame.Resolve(folder + "/Resolve.glsl", defines, squares, range)) &&
+    this->ResolveLeftLists(frame);
 }
 
 //------------------------------------------------------------------------------

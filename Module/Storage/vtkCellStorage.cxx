@@ -262,7 +262,8 @@ bool vtkCellStorage::ReserveBuffers(
         this->GetLayoutBytes(layout, this->Tile, units) <= this->Buffers[layout.Binding].GetBytes();
     });
   room = hasRoom ? units : room;
-  vtkTypeInt64 kept = std::max(this->Counters.GetBytes() + this->CountersRead.GetBytes() + LayoutBytes, OwnBytes(this->Tile));
+  vtkTypeInt64 kept =
+    std::max(this->Counters.GetBytes() + this->CountersRead.GetBytes() + LayoutBytes, OwnBytes(this->Tile));
   for (const Layout& layout : layouts)
   {
     kept += std::max(this->Buffers[layout.Binding].GetBytes(), this->GetLayoutBytes(layout, this->Tile, room));

@@ -185,7 +185,7 @@ private:
   vtkTypeInt64 Fragments = 0;
   vtkTypeInt64 FullestCell = 0; // fragments
   bool KeepsDrawOrder = false;
-  Links Linked = Links::None;        // in the current tile
+  Links Linked = Links::None; // in the current tile
 };
 
 #endif

@@ -241,7 +241,8 @@ TEST(TestCellRoom, ForeseesNothingFromTheCornersOfBoxes)
   EXPECT_EQ(room.GetRanges()[0], 3 * 256 / 4 * 9 / 8) << "runs that are not full";
 }
 
-// Boxes that jump farther than cells are widened: units that are not full have room for that, single fragments have not.
+// Boxes that jump farther than cells are widened: units that are not full have room for that, single fragments have
+// not.
 TEST(TestCellRoom, ForeseesOneBoxWhereUnitsAreFragments)
 {
   Room room;

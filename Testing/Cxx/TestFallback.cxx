@@ -126,7 +126,8 @@ protected:
 TEST_F(TestFallbackOfRetries, IsForSpinLocksAndSections)
 {
   std::vector<vtkSmartPointer<vtkTranslucencyPass>> passes{ NewTechnique("exact", { { "storage", "t-buffer" } }),
-    NewTechnique("exact", { { "storage", "m-buffer" } }), NewTechnique("mlab", { { "critical_section", "spinlock" } }) };
+    NewTechnique("exact", { { "storage", "m-buffer" } }),
+    NewTechnique("mlab", { { "critical_section", "spinlock" } }) };
   View view(8, 8);
   view.Render();
   if (vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow::SafeDownCast(view.Window)).Interlock.empty())

@@ -382,8 +382,7 @@ std::string NameOf(const testing::TestParamInfo<std::tuple<Storage, const char*,
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, TestVolumesInStorage,
-  testing::Combine(
-    testing::ValuesIn(OtherStorages()), testing::Values("exact", "adaptive"), testing::Values(0, 4)),
+  testing::Combine(testing::ValuesIn(OtherStorages()), testing::Values("exact", "adaptive"), testing::Values(0, 4)),
   NameOf);
 
 // Inserted fragments find room in the sections that gathering has to spare, or not.

@@ -12,8 +12,8 @@
 // Each sample still has one fragment of that opacity at that place. The mean over the pixel's samples stays what it
 // was, except where another edge goes through the pixel: there it is off by at most a quarter of the tolerance, 1/128.
 //
-// Reading what other fragments of the pixel have stored takes a driver that shades them one after the other: this is for
-// storages in order.
+// Reading what other fragments of the pixel have stored takes a driver that shades them one after the other: this is
+// for storages in order.
 //
 // Needs: SAMPLES, COLOR_FORMAT, TRANSMITTANCE_CHANNELS.  Gives: MERGES_SAMPLES, and if that is 1:
 // mayMerge, mergeFragments.

@@ -33,7 +33,7 @@
 #define LINK_MASK 0xffffffu
 #define MOST_FRAGMENTS_OF_CELL 7456540 // with the eighth more that is given to a cell, they are not farther apart
 
-#define NODE_RUN 4         // nodes that a pixel takes at a time where it is drawn to in order, see LinkedListInOrder.glsl
+#define NODE_RUN 4         // nodes that a pixel takes at a time in order, see LinkedListInOrder.glsl
 #define MOST_TEXEL_WORDS 4 // nodes of more words are not fetched as texels
 
 #endif

@@ -3,9 +3,10 @@
 
 // LinkedListInOrder.glsl: linked lists (Storage/LinkedList.glsl) where the driver keeps the order of drawing.
 //
-// Nobody else is at the pixel's head. So a pixel takes a run of NODE_RUN nodes at a time, and its next fragments go into
-// the nodes behind: one atomic operation for four fragments, which lie side by side when they are read. Every node has
-// its link all the same. A run begins at a multiple of its length, so a head tells whether the next node is the pixel's.
+// Nobody else is at the pixel's head. So a pixel takes a run of NODE_RUN nodes at a time, and its next fragments go
+// into the nodes behind: one atomic operation for four fragments, which lie side by side when they are read. Every node
+// has its link all the same. A run begins at a multiple of its length, so a head tells whether the next node is the
+// pixel's.
 //
 // Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS.
 // Gives: what Shaders/README.md asks of a storage.

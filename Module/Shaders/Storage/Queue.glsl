@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Queue.glsl: the queues of fragments of the R-buffer, one for each cell of pixels: the range of nodes that the cell takes
-// from. Fragments of one pixel lie in it in the order of drawing, those of others between them.
+// Queue.glsl: the queues of fragments of the R-buffer, one for each cell of pixels: the range of nodes that the cell
+// takes from. Fragments of one pixel lie in it in the order of drawing, those of others between them.
 //
 // Needs: Storage/Nodes.glsl or Storage/NodesInOrder.glsl before it.  Gives: queuePixels, secondDepths, queueFragment.
 #ifndef Queue_glsl

@@ -20,8 +20,8 @@
 //
 // Needs: SECTION_LENGTH, SECTION_FREE_BITS (the bits of what may be free), OWN_SECTIONS, NODE_LINKS, COLOR_FORMAT,
 // SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES.
-// Gives: placeRoom, readPlace, writePlace, lastOf, claimFrom, countPixel, and of what Shaders/README.md asks of a storage
-// all but storeFragment.
+// Gives: placeRoom, readPlace, writePlace, lastOf, claimFrom, countPixel, and of what Shaders/README.md asks of a
+// storage all but storeFragment.
 #ifndef SectionPlaces_glsl
 #define SectionPlaces_glsl
 #ifndef SECTION_LENGTH
