@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// LinkedList.glsl: one linked list of fragments per pixel, the last drawn first (Yang et al. 2010). Every fragment takes
-// a node, and offers it by an exchange.
+// LinkedList.glsl: one linked list of fragments per pixel, the last drawn first (Yang et al. 2010). Every fragment
+// takes a node, and offers it by an exchange.
 //
 // Where a driver keeps the order of drawing, LinkedListInOrder.glsl is used instead.
 //
