@@ -7,6 +7,7 @@
 
 #include <limits>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkFragmentStorage::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -54,3 +55,4 @@ double vtkFragmentStorage::GetLimitBytes(const vtkTranslucencyCapabilities& capa
 {
   return capabilities.GetLimitBytes(this->MemoryLimit);
 }
+VTK_ABI_NAMESPACE_END

@@ -19,12 +19,14 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include <array>  // for Rectangle
 #include <map>    // for GetDefines
 #include <string> // for GetDefines
 #include <vector> // for GetOptions
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyBuffer;
 struct vtkTranslucencyCapabilities;
 struct vtkTranslucencyOption;
@@ -197,5 +199,6 @@ private:
   vtkFragmentStorage(const vtkFragmentStorage&) = delete;
   void operator=(const vtkFragmentStorage&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 struct BlendFunction
@@ -91,3 +92,4 @@ void vtkTranslucencyBlending::UseOneFunction()
   glBlendEquationSeparate(get(GL_BLEND_EQUATION_RGB), get(GL_BLEND_EQUATION_ALPHA));
   glBlendFuncSeparate(get(GL_BLEND_SRC_RGB), get(GL_BLEND_DST_RGB), get(GL_BLEND_SRC_ALPHA), get(GL_BLEND_DST_ALPHA));
 }
+VTK_ABI_NAMESPACE_END

@@ -9,6 +9,7 @@
 
 #include "vtkTranslucencyStage.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLState;
 
 class vtkTranslucencyBlending
@@ -23,5 +24,6 @@ public:
   /// Blends all buffers as the first one, as the cache has it.
   static void UseOneFunction();
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

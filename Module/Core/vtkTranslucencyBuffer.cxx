@@ -4,6 +4,7 @@
 
 #include "vtkTranslucencyVTKVersion.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 bool vtkTranslucencyBuffer::Reserve(vtkTypeInt64 bytes)
 {
@@ -136,3 +137,4 @@ void vtkTranslucencyBuffer::Release(bool contextAlive)
   this->Handle = 0;
   this->Bytes = 0;
 }
+VTK_ABI_NAMESPACE_END

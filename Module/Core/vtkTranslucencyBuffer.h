@@ -10,8 +10,10 @@
 #define vtkTranslucencyBuffer_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkType.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyBuffer
 {
 public:
@@ -63,5 +65,6 @@ private:
   unsigned int Texture = 0;
   int TexelWords = 0; // 0 where the texture is yet to be made the buffer
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,6 +15,7 @@
 #include <set>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr vtkTypeInt64 BlockBytesOfLlvmpipe = vtkTypeInt64(1) << 31;
@@ -178,3 +179,4 @@ double vtkTranslucencyCapabilities::GetLimitBytes(double mebibytes) const
   }
   return (this->ReportedMemoryMiB > 0 ? this->ReportedMemoryMiB / 4 : Default) * MiB;
 }
+VTK_ABI_NAMESPACE_END

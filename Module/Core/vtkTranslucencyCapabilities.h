@@ -10,10 +10,12 @@
 #define vtkTranslucencyCapabilities_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkType.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
 struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
@@ -80,5 +82,6 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   /// Probes the window's context, which must be current.
   static vtkTranslucencyCapabilities Probe(vtkOpenGLRenderWindow* window);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTranslucencyChain);
 vtkInformationKeyMacro(vtkTranslucencyChain, CHAIN, ObjectBase);
 
@@ -386,3 +387,4 @@ void vtkTranslucencyChain::Release(vtkRenderPass* pass)
     window->PopContext();
   }
 }
+VTK_ABI_NAMESPACE_END

@@ -23,10 +23,12 @@
 
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkWeakPointer.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkInformationObjectBaseKey;
 class vtkRenderPass;
 class vtkRenderer;
@@ -81,5 +83,6 @@ private:
   bool TookVolumes = false;
   std::vector<vtkRenderPass*> Tree; // the passes as they were left: compared only, for they may be gone
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -28,6 +28,7 @@
 
 #include <cstring>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkTranslucencyFingerprint::Add(double number)
 {
@@ -207,3 +208,4 @@ void vtkTranslucencyFingerprint::AddData(vtkDataObject* data)
     }
   }
 }
+VTK_ABI_NAMESPACE_END

@@ -11,10 +11,12 @@
 #ifndef vtkTranslucencyFingerprint_h
 #define vtkTranslucencyFingerprint_h
 
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkType.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkAlgorithm;
 class vtkAssemblyPath;
@@ -47,5 +49,6 @@ private:
 
   std::vector<vtkTypeUInt64> Numbers;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 bool DrawsToOthers(vtkObjectBase* pass)
@@ -83,3 +84,4 @@ vtkTranslucencyFirstAttachment::~vtkTranslucencyFirstAttachment()
     glDrawBuffers(static_cast<GLsizei>(this->DrawBuffers.size()), this->DrawBuffers.data());
   }
 }
+VTK_ABI_NAMESPACE_END

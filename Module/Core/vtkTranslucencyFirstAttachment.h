@@ -12,9 +12,12 @@
 #ifndef vtkTranslucencyFirstAttachment_h
 #define vtkTranslucencyFirstAttachment_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObjectBase;
 class vtkProp;
 class vtkRenderState;
@@ -32,5 +35,6 @@ private:
   std::vector<unsigned int> DrawBuffers;                               // as found, if there are several
   std::vector<std::pair<vtkProp*, std::vector<vtkObjectBase*>>> Hooks; // as found, of props from which some were taken
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources,
   const vtkRenderState* state, vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found)
@@ -588,3 +589,4 @@ void vtkTranslucencyFrame::Blend()
     this->Tiles.Finish();
   }
 }
+VTK_ABI_NAMESPACE_END

@@ -34,6 +34,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderState;
@@ -224,5 +225,6 @@ private:
   bool HasRoom = true; // to gather again
   std::string Error;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

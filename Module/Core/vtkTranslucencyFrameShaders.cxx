@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr int MostSamples = 8; // that a node has room for
@@ -277,3 +278,4 @@ vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareHandOver()
       return mappers->Insert(source.Fragment, file);
     });
 }
+VTK_ABI_NAMESPACE_END

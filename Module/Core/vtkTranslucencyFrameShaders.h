@@ -11,6 +11,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFragmentStorage;
 class vtkObject;
 class vtkOpenGLRenderWindow;
@@ -71,5 +72,6 @@ private:
   Context Current;
   std::string Error;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

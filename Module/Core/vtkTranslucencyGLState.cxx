@@ -9,6 +9,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bool storage)
   : Window(window)
@@ -145,3 +146,4 @@ void vtkTranslucencyGLState::UsePlainBlending(vtkOpenGLState* state)
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
+VTK_ABI_NAMESPACE_END

@@ -9,10 +9,13 @@
 #ifndef vtkTranslucencyGLState_h
 #define vtkTranslucencyGLState_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <array>
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 
@@ -65,5 +68,6 @@ private:
   std::vector<std::pair<unsigned int, int>> Buffers;
   std::vector<BufferBinding> IndexedBuffers;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -17,6 +17,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyGeometry::vtkTranslucencyGeometry(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources,
   const vtkRenderState* state, vtkOpenGLRenderWindow* window, vtkTranslucencyFrameShaders& shaders)
@@ -258,3 +259,4 @@ std::string vtkTranslucencyGeometry::GetObstacle() const
   return this->Resources.Unreached.IsMissed() ? "props are drawn by shaders that the technique does not reach"
                                               : this->Resources.Mappers->GetError();
 }
+VTK_ABI_NAMESPACE_END

@@ -11,6 +11,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderState;
@@ -51,5 +52,6 @@ private:
   vtkOpenGLRenderWindow* Window;
   vtkTranslucencyFrameShaders& Shaders;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

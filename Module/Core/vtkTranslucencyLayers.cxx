@@ -10,6 +10,7 @@
 
 #include <array>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Lets fragments of one number through, and puts the stencil test back as it was.
@@ -195,3 +196,4 @@ void vtkTranslucencyLayers::Release(bool contextAlive)
   this->Height = 0;
   this->Samples = 0;
 }
+VTK_ABI_NAMESPACE_END

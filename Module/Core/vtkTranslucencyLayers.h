@@ -15,10 +15,12 @@
 #ifndef vtkTranslucencyLayers_h
 #define vtkTranslucencyLayers_h
 
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkType.h"
 
 #include <functional>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkTranslucencyShaderWatch;
 
@@ -62,5 +64,6 @@ private:
   int Height = 0;
   int Samples = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,6 +15,7 @@
 #include "vtkShaderProgram.h"
 #include "vtksys/RegularExpression.hxx"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTranslucencyMapperHook);
 
 namespace
@@ -200,3 +201,4 @@ bool vtkTranslucencyMapperHook::SetParameters(vtkShaderProgram* program, vtkProp
   program->SetUniformi(sampler, this->OpaqueDepth.GetUnit());
   return true;
 }
+VTK_ABI_NAMESPACE_END

@@ -21,6 +21,7 @@
 #include <functional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
 class vtkTranslucencyMapperHook : public vtkOpenGLRenderPass
@@ -109,5 +110,6 @@ private:
   std::string Error;
   int ShaderBuilds = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

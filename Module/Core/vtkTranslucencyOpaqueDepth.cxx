@@ -10,6 +10,7 @@
 #include "vtkTextureObject.h"
 #include "vtkTextureUnitManager.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkTranslucencyOpaqueDepth::BeginFrame(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport)
 {
@@ -126,3 +127,4 @@ void vtkTranslucencyOpaqueDepth::Release()
   this->Depth = nullptr;
   this->Framebuffer = nullptr;
 }
+VTK_ABI_NAMESPACE_END

@@ -8,9 +8,11 @@
 #define vtkTranslucencyOpaqueDepth_h
 
 #include "vtkSmartPointer.h"
+#include "vtkTranslucencyABINamespace.h"
 
 #include <array>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
@@ -46,5 +48,6 @@ private:
   int Unit = 0;
   int UnitBefore = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -11,6 +11,7 @@
 #include "vtkObject.h"
 #include "vtkVariant.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 bool vtkTranslucencyOption::IsOpen() const
 {
@@ -128,3 +129,4 @@ bool vtkTranslucencyOption::Parse(const std::string& text, double& value, std::s
   }
   return valid;
 }
+VTK_ABI_NAMESPACE_END

@@ -8,12 +8,14 @@
 #define vtkTranslucencyOption_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
 
 struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
@@ -84,5 +86,6 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
   /// Reads a value; false, with the reason in error, if text is not a value in range.
   bool Parse(const std::string& text, double& value, std::string& error) const;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

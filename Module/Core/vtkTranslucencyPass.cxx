@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <functional>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkInformationKeyRestrictedMacro(vtkTranslucencyPass, TRANSMISSION_COLOR, DoubleVector, 3);
 vtkCxxSetObjectMacro(vtkTranslucencyPass, TranslucentPass, vtkRenderPass);
 vtkCxxSetObjectMacro(vtkTranslucencyPass, VolumetricPass, vtkRenderPass);
@@ -529,3 +530,4 @@ void vtkTranslucencyPass::RenderFallback(
     this->NumberOfRenderedProps += volumetricPass->GetNumberOfRenderedProps();
   }
 }
+VTK_ABI_NAMESPACE_END

@@ -45,11 +45,13 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include <memory> // for Internals
 #include <string> // for options
 #include <vector> // for options
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkInformationDoubleVectorKey;
 class vtkOpenGLRenderWindow;
 class vtkTranslucencyFrame;
@@ -236,5 +238,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -17,6 +17,7 @@
 #include <cstring>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // What a pass of VTK's has drawn: the first channels of all buffers that are drawn to, within the viewport, and the
@@ -177,3 +178,4 @@ std::string vtkTranslucencyPeelingGuard::Render(vtkDepthPeelingPass* peeling, co
     ? ""
     : guarded->Found + " can't be peeled, since its shaders can't be reached; it is drawn over what can, by blending";
 }
+VTK_ABI_NAMESPACE_END

@@ -17,6 +17,7 @@
 #include <functional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDepthPeelingPass;
 class vtkOpenGLRenderWindow;
 class vtkRenderState;
@@ -34,5 +35,6 @@ public:
 private:
   vtkTranslucencyUnreached Unreached;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr vtkTypeInt64 WordBytes = 4;
@@ -105,3 +106,4 @@ void vtkTranslucencyPixels::Release(bool contextAlive)
   this->Locks.Release(contextAlive);
   this->Targets.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -17,6 +17,7 @@
 
 #include <array>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyPixels
 {
 public:
@@ -60,5 +61,6 @@ private:
   vtkTranslucencyBuffer Locks;
   vtkTranslucencyTargets Targets;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkTranslucencyPrograms::Ready(
   vtkOpenGLRenderWindow* window, const std::string& key, const std::function<bool(Source& source)>& assemble)
@@ -63,3 +64,4 @@ void vtkTranslucencyPrograms::Release(bool contextAlive)
   }
   this->VertexArray = 0;
 }
+VTK_ABI_NAMESPACE_END

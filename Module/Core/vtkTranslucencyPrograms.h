@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
@@ -48,5 +49,6 @@ private:
   std::map<std::string, vtkShaderProgram*> Programs;
   unsigned int VertexArray = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -6,8 +6,10 @@
 #ifndef vtkTranslucencyQuery_h
 #define vtkTranslucencyQuery_h
 
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkTranslucencyVTKVersion.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 /// Whether anything passes the tests of what a function draws. Waits for it. Queries can't be nested.
 template <typename Function>
 bool vtkTranslucencyAnySamplesPass(const Function& draw)
@@ -36,5 +38,6 @@ void vtkTranslucencyDrawAndAsk(bool* any, const Function& draw)
     draw();
   }
 }
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyRecords::vtkTranslucencyRecords(
   const vtkTranslucencyCapabilities& capabilities, vtkTranslucencyTiles& tiles, vtkTranslucencyFrameShaders& shaders)
@@ -96,3 +97,4 @@ std::vector<vtkTranslucencyStage::Input> vtkTranslucencyRecords::GetInputs() con
   }
   return inputs;
 }
+VTK_ABI_NAMESPACE_END

@@ -11,6 +11,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyFrameShaders;
 class vtkTranslucencyTiles;
 struct vtkTranslucencyCapabilities;
@@ -47,5 +48,6 @@ private:
   vtkTranslucencyTargets* Fetched = nullptr;
   int EmptyWords = 0; // of those fetched, in the beginning
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

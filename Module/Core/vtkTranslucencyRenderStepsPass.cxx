@@ -18,6 +18,7 @@
 #include "vtkShadowMapPass.h"
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 class StereoCameraPass : public vtkCameraPass
@@ -190,3 +191,4 @@ void vtkTranslucencyRenderStepsPass::RenderAlone(const vtkRenderState* state)
     }
   }
 }
+VTK_ABI_NAMESPACE_END

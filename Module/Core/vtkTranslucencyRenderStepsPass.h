@@ -22,7 +22,9 @@
 #include "vtkNew.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkHiddenLineRemovalPass;
 class vtkSSAOPass;
 class vtkSequencePass;
@@ -58,5 +60,6 @@ private:
   vtkNew<vtkSequencePass> Shadowed; // what Shadows draws
   vtkNew<vtkTranslucencyFXAAStep> FXAA;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

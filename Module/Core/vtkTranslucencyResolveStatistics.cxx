@@ -4,6 +4,7 @@
 
 #include "Common/Bindings.glsl"
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr vtkTypeInt64 WordBytes = sizeof(unsigned int);
@@ -84,3 +85,4 @@ const vtkTranslucencyResolveStatistics::Words& vtkTranslucencyResolveStatistics:
   }
   return *this->Read;
 }
+VTK_ABI_NAMESPACE_END

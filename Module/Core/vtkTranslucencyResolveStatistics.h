@@ -13,6 +13,7 @@
 
 #include <optional>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyResolveStatistics
 {
 public:
@@ -70,5 +71,6 @@ private:
   std::optional<Words> Read;
   bool InUse = false; // by a shader of this frame
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

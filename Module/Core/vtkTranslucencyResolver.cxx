@@ -14,6 +14,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyResolver::vtkTranslucencyResolver(
   vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window, vtkTranslucencyGeometry& geometry)
@@ -133,3 +134,4 @@ void vtkTranslucencyResolver::DrawCells(vtkShaderProgram* program, vtkFragmentSt
   }
   kept.Resolved.Change();
 }
+VTK_ABI_NAMESPACE_END

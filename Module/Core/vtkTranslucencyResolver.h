@@ -13,6 +13,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyResolver
 {
 public:
@@ -41,5 +42,6 @@ private:
   int Sample = vtkTranslucencyFrame::WholePixel;
   int Among = -1;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

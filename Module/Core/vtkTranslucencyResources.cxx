@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyResources.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyResources::GetBytes()
 {
@@ -23,3 +24,4 @@ void vtkTranslucencyResources::Release(bool contextAlive)
   this->Window = nullptr;
   this->Context = nullptr;
 }
+VTK_ABI_NAMESPACE_END

@@ -23,6 +23,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkTranslucencyResources
 {
   // The window and the context in it that the OpenGL objects belong to, and what that can do.
@@ -55,5 +56,6 @@ struct vtkTranslucencyResources
   /// Deletes all OpenGL objects, or forgets them, if their context is gone.
   void Release(bool contextAlive);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

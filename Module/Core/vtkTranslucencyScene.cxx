@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // The corners of a prop's box, which are none if it does not know it.
@@ -118,3 +119,4 @@ std::vector<std::array<double, 4>> vtkTranslucencyScene::GetBoxes(const std::arr
   }
   return boxes;
 }
+VTK_ABI_NAMESPACE_END

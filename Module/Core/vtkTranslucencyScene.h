@@ -7,9 +7,12 @@
 #ifndef vtkTranslucencyScene_h
 #define vtkTranslucencyScene_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <array>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderState;
 class vtkTranslucencyUnreached;
@@ -38,5 +41,6 @@ private:
   const vtkRenderState* State;
   const vtkTranslucencyUnreached& Unreached;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,6 +9,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyScopedTargets::vtkTranslucencyScopedTargets(
   vtkOpenGLRenderWindow* window, const vtkTranslucencyStage& stage)
@@ -43,3 +44,4 @@ vtkTranslucencyScopedTargets::~vtkTranslucencyScopedTargets()
   }
   this->Drawn.Targets->Unbind();
 }
+VTK_ABI_NAMESPACE_END

@@ -11,6 +11,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
 class vtkTranslucencyScopedTargets
@@ -29,5 +30,6 @@ private:
   const vtkTranslucencyStage& Drawn;
   std::string Obstacle;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -11,6 +11,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyScopedTextures::vtkTranslucencyScopedTextures(
   vtkOpenGLRenderWindow* window, const std::vector<vtkTranslucencyStage::Input>& inputs)
@@ -64,3 +65,4 @@ void vtkTranslucencyScopedTextures::UseUnit(const std::string& sampler, unsigned
   this->Textures.push_back(bound);
   this->Units[sampler] = bound.Unit;
 }
+VTK_ABI_NAMESPACE_END

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
@@ -48,5 +49,6 @@ private:
   std::vector<Bound> Textures;
   vtkTranslucencyShader::Uniforms Units;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -7,11 +7,13 @@
 #ifndef vtkTranslucencyScopedTimer_h
 #define vtkTranslucencyScopedTimer_h
 
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include <algorithm>
 #include <chrono>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyScopedTimer
 {
 public:
@@ -41,5 +43,6 @@ private:
   double* Milliseconds;
   Clock::time_point Start;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -14,6 +14,7 @@
 #include <regex>
 #include <sstream>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Source numbers start here, so that they can't be mistaken for the surrounding text's own, 0.
@@ -240,3 +241,4 @@ bool vtkTranslucencyShader::Substitute(std::string& text, const std::string& anc
   error = "the shader of " + who + " has no " + anchor;
   return false;
 }
+VTK_ABI_NAMESPACE_END

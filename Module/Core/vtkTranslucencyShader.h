@@ -12,6 +12,7 @@
 #define vtkTranslucencyShader_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include "vtkShader.h" // for its type
 
@@ -20,6 +21,7 @@
 #include <variant>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkShaderProgram;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyShader
@@ -69,5 +71,6 @@ private:
   std::vector<std::string> Whole; // that stand in the text under no condition
   std::vector<std::string> Files; // index + FirstSource = the #line directive's source number
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -6,6 +6,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTranslucencyShaderWatch);
 
 namespace
@@ -111,3 +112,4 @@ void vtkTranslucencyShaderWatch::ClearLastShaderBound()
     this->Watched->ClearLastShaderBound();
   }
 }
+VTK_ABI_NAMESPACE_END

@@ -13,10 +13,12 @@
 #define vtkTranslucencyShaderWatch_h
 
 #include "vtkOpenGLShaderCache.h"
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include <functional>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLState;
 
 class vtkTranslucencyShaderWatch : public vtkOpenGLShaderCache
@@ -69,5 +71,6 @@ private:
   vtkOpenGLShaderCache* Watched = nullptr; // the window's own, while a scope lasts
   Report Tell;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkTranslucencyTargets;
 
@@ -91,5 +92,6 @@ struct vtkTranslucencyStage
   int Cleared = VTK_INT_MAX; ///< how many of Targets are cleared, the first ones; the others keep what is in them, of
                              ///< earlier stages or frames
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTranslucencyStatistics);
 
 //------------------------------------------------------------------------------
@@ -53,3 +54,4 @@ void vtkTranslucencyStatistics::Copy(vtkTranslucencyStatistics* others)
   this->Fallback = others->Fallback;
   this->Modified();
 }
+VTK_ABI_NAMESPACE_END

@@ -11,9 +11,11 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include <string> // for Fallback
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyStatistics : public vtkObject
 {
 public:
@@ -84,5 +86,6 @@ private:
   vtkTranslucencyStatistics(const vtkTranslucencyStatistics&) = delete;
   void operator=(const vtkTranslucencyStatistics&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

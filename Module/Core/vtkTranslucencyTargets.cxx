@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstring>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // What a format is to OpenGL.
@@ -329,3 +330,4 @@ void vtkTranslucencyTargets::Release(bool contextAlive)
   this->Height = 0;
   this->Samples = 0;
 }
+VTK_ABI_NAMESPACE_END

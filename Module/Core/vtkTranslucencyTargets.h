@@ -15,12 +15,14 @@
 #define vtkTranslucencyTargets_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 #include "vtkType.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyTargets
@@ -89,5 +91,6 @@ private:
   int Height = 0;
   int Samples = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

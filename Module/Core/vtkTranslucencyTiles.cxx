@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyTiles::Rectangle vtkTranslucencyTiles::Intersect(const Rectangle& a, const Rectangle& b)
 {
@@ -84,3 +85,4 @@ void vtkTranslucencyTiles::Finish(std::int64_t fragments, std::int64_t units)
   this->Fragments += fragments;
   this->Units += units;
 }
+VTK_ABI_NAMESPACE_END

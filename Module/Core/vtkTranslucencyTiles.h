@@ -9,10 +9,13 @@
 #ifndef vtkTranslucencyTiles_h
 #define vtkTranslucencyTiles_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyTiles
 {
 public:
@@ -64,5 +67,6 @@ private:
   std::int64_t Units = 0;
   std::int64_t LastUnits = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -12,6 +12,7 @@
 #include "vtkPointGaussianMapper.h"
 #include "vtkPropCollection.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Whether a prop or one of its parts is emissive.
@@ -104,3 +105,4 @@ vtkTranslucencyTransmission::Kind vtkTranslucencyTransmission::Choose(
   }
   return Kind::Mean;
 }
+VTK_ABI_NAMESPACE_END

@@ -8,8 +8,11 @@
 #ifndef vtkTranslucencyTransmission_h
 #define vtkTranslucencyTransmission_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderState;
 class vtkTranslucencyPass;
@@ -46,5 +49,6 @@ private:
   std::string Mean;    // why the mean was taken, as last warned of,
   std::string Invalid; // and the class of the prop
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

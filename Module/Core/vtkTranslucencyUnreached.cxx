@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <iterator>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 int DrawFramebuffer()
@@ -187,3 +188,4 @@ bool vtkTranslucencyUnreached::Has(vtkProp* prop) const
   const Known* known = this->FindKnown(prop);
   return known && !known->Reached;
 }
+VTK_ABI_NAMESPACE_END

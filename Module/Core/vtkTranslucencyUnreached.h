@@ -26,6 +26,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -93,5 +94,6 @@ private:
   bool Missed = false;
   std::set<std::string> Warned; // of these
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // The mappers whose shader is that of vtkGPUVolumeRayCastMapper, by name: they are in modules that need not be there.
@@ -141,3 +142,4 @@ void vtkTranslucencyVolumes::SetShaderParameters(vtkShaderProgram* program)
   vtkTranslucencyShader::SetUniforms(program, { { "gatherRound", this->Round } });
   vtkTranslucencyBuffer::FinishStores(); // a block, volume or round before has changed the same lists
 }
+VTK_ABI_NAMESPACE_END

@@ -19,9 +19,12 @@
 #ifndef vtkTranslucencyVolumes_h
 #define vtkTranslucencyVolumes_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkProp;
 class vtkRenderPass;
@@ -64,5 +67,6 @@ private:
   bool Gathered = false; // the volume that is being drawn
   int Round = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkABufferPass);
 
 //------------------------------------------------------------------------------
@@ -55,3 +56,4 @@ bool vtkABufferPass::ResolveLists(vtkTranslucencyFrame& frame)
              frame.Resolve("ABuffer/ResolveRuns.glsl", { { "LONGER_LEVEL", LevelText(Long) } }, rest))) &&
     this->ResolveLeftLists(frame);
 }
+VTK_ABI_NAMESPACE_END

@@ -22,6 +22,7 @@
 
 #include "vtkFragmentListPass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkABufferPass : public vtkFragmentListPass
 {
 public:
@@ -59,5 +60,6 @@ private:
   vtkABufferPass(const vtkABufferPass&) = delete;
   void operator=(const vtkABufferPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

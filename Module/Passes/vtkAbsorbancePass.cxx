@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 const char* const BoundsDefines[] = { "ABSORBANCE_BOUNDS_FRAGMENTS", "ABSORBANCE_BOUNDS_PROPS" };
@@ -212,3 +213,4 @@ void vtkAbsorbancePass::ReleaseTechniqueResources(bool contextAlive)
     targets->Release(contextAlive);
   }
 }
+VTK_ABI_NAMESPACE_END

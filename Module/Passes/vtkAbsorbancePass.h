@@ -38,6 +38,7 @@
 #include "vtkTranslucencyTargets.h" // for DepthBounds, Terms, Colors
 #include "vtkVisibilityFunctionPass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAbsorbancePass : public vtkVisibilityFunctionPass
 {
 public:
@@ -129,5 +130,6 @@ private:
   vtkAbsorbancePass(const vtkAbsorbancePass&) = delete;
   void operator=(const vtkAbsorbancePass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkAdaptiveTransparencyPass);
 
 namespace
@@ -308,3 +309,4 @@ bool vtkAdaptiveTransparencyPass::ResolveExactly(vtkTranslucencyFrame& frame)
     frame.Resolve("Adaptive/ShowSorted.glsl", { { "SHOW", Shows[this->Show] } },
       vtkTranslucencyFrame::Squares::LeftTo(Long), this->GetWhite());
 }
+VTK_ABI_NAMESPACE_END

@@ -79,6 +79,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdaptiveTransparencyPass : public vtkVisibilityFunctionPass
 {
 public:
@@ -192,5 +193,6 @@ private:
   vtkAdaptiveTransparencyPass(const vtkAdaptiveTransparencyPass&) = delete;
   void operator=(const vtkAdaptiveTransparencyPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

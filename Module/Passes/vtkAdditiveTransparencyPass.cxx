@@ -6,6 +6,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkAdditiveTransparencyPass);
 
 //------------------------------------------------------------------------------
@@ -35,3 +36,4 @@ void vtkAdditiveTransparencyPass::ReleaseTechniqueResources(bool contextAlive)
 {
   this->Sum.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -22,6 +22,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyTargets.h" // for Sum
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAdditiveTransparencyPass : public vtkTranslucencyPass
 {
 public:
@@ -44,5 +45,6 @@ private:
   vtkAdditiveTransparencyPass(const vtkAdditiveTransparencyPass&) = delete;
   void operator=(const vtkAdditiveTransparencyPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

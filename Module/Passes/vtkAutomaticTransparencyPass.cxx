@@ -18,6 +18,7 @@
 #include <limits>
 #include <sstream>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkAutomaticTransparencyPass);
 
 namespace
@@ -358,3 +359,4 @@ void vtkAutomaticTransparencyPass::RenderTranslucent(const vtkRenderState* state
   this->GetStatistics()->Copy(this->Delegate->GetStatistics());
   this->Observe();
 }
+VTK_ABI_NAMESPACE_END

@@ -40,6 +40,7 @@
 #include <string> // for GetChosen
 #include <vector> // for LastView
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFragmentCountingPass;
 class vtkTechniqueChooser;
 
@@ -125,5 +126,6 @@ private:
   vtkAutomaticTransparencyPass(const vtkAutomaticTransparencyPass&) = delete;
   void operator=(const vtkAutomaticTransparencyPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

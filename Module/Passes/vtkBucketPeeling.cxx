@@ -4,6 +4,7 @@
 
 #include "vtkTranslucencyFrame.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Shaders/Peel/Buckets.glsl
@@ -39,3 +40,4 @@ bool vtkBucketPeeling::Render(vtkTranslucencyFrame& frame, const vtkPeelingSetti
   }
   return good && frame.Composite("Peel/ResolveBuckets.glsl", buckets, {});
 }
+VTK_ABI_NAMESPACE_END

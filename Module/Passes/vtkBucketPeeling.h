@@ -9,6 +9,7 @@
 #include "vtkPeelingSettings.h"
 #include "vtkTranslucencyPixels.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyFrame;
 
 class vtkBucketPeeling
@@ -23,5 +24,6 @@ public:
 private:
   vtkTranslucencyPixels Buckets;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

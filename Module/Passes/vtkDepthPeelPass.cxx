@@ -12,6 +12,7 @@
 
 #include <limits>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkDepthPeelPass);
 
 namespace
@@ -141,3 +142,4 @@ void vtkDepthPeelPass::ReleaseTechniqueResources(bool contextAlive)
   this->Peeling->Release(contextAlive);
   this->Buckets->Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -57,6 +57,7 @@
 
 #include <memory> // for Peeling, Buckets
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkBucketPeeling;
 class vtkImageData;
 class vtkLayerPeeling;
@@ -169,5 +170,6 @@ private:
   vtkDepthPeelPass(const vtkDepthPeelPass&) = delete;
   void operator=(const vtkDepthPeelPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

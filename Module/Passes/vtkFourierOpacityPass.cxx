@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFourierOpacityPass);
 
 //------------------------------------------------------------------------------
@@ -13,3 +14,4 @@ vtkFourierOpacityPass::vtkFourierOpacityPass()
       "Fourier", "FOURIER_COEFFICIENTS" })
 {
 }
+VTK_ABI_NAMESPACE_END

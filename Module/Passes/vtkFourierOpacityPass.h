@@ -20,6 +20,7 @@
 
 #include "vtkAbsorbancePass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkFourierOpacityPass : public vtkAbsorbancePass
 {
 public:
@@ -44,5 +45,6 @@ private:
   vtkFourierOpacityPass(const vtkFourierOpacityPass&) = delete;
   void operator=(const vtkFourierOpacityPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

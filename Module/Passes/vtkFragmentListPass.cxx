@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkFragmentListPass::vtkFragmentListPass()
   : Storage(vtkSmartPointer<vtkLinkedListStorage>::New())
@@ -230,3 +231,4 @@ bool vtkFragmentListPass::ResolveLeftLists(vtkTranslucencyFrame& frame)
   const Squares left = Squares::LeftTo(Long);
   return frame.SortLists(left) && frame.Resolve("ABuffer/ResolveSorted.glsl", {}, left);
 }
+VTK_ABI_NAMESPACE_END

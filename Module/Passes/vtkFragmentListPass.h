@@ -14,6 +14,7 @@
 #include "vtkTranslucencyFrame.h" // for Squares
 #include "vtkTranslucencyPass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkFragmentListPass : public vtkTranslucencyPass
 {
 public:
@@ -128,5 +129,6 @@ private:
   vtkFragmentListPass(const vtkFragmentListPass&) = delete;
   void operator=(const vtkFragmentListPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,4 +4,6 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkHybridTransparencyPass);
+VTK_ABI_NAMESPACE_END

@@ -15,6 +15,7 @@
 
 #include "vtkMultiLayerAlphaBlendingPass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkHybridTransparencyPass : public vtkMultiLayerAlphaBlendingPass
 {
 public:
@@ -32,5 +33,6 @@ private:
   vtkHybridTransparencyPass(const vtkHybridTransparencyPass&) = delete;
   void operator=(const vtkHybridTransparencyPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

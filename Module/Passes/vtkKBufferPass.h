@@ -14,6 +14,7 @@
 
 #include "vtkMultiLayerAlphaBlendingPass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkKBufferPass : public vtkMultiLayerAlphaBlendingPass
 {
 public:
@@ -31,5 +32,6 @@ private:
   vtkKBufferPass(const vtkKBufferPass&) = delete;
   void operator=(const vtkKBufferPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

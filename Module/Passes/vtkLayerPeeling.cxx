@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using Blending = vtkTranslucencyFrame::Blending;
@@ -159,3 +160,4 @@ void vtkLayerPeeling::Release(bool contextAlive)
   this->Peeled.Release(contextAlive);
   this->Merged.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

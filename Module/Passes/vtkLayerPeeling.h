@@ -15,6 +15,7 @@
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkTranslucencyFrame;
 
@@ -43,5 +44,6 @@ private:
   vtkTranslucencyTargets Merged; // bounds of these layers, layers from the front, layers from the back
   std::vector<vtkSmartPointer<vtkImageData>> Images;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <limits>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkMultiLayerAlphaBlendingPass);
 
 namespace
@@ -134,3 +135,4 @@ void vtkMultiLayerAlphaBlendingPass::ReleaseTechniqueResources(bool contextAlive
 {
   this->Pixels.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -32,6 +32,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyPixels.h" // for Pixels
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkMultiLayerAlphaBlendingPass : public vtkTranslucencyPass
 {
 public:
@@ -115,5 +116,6 @@ private:
   vtkMultiLayerAlphaBlendingPass(const vtkMultiLayerAlphaBlendingPass&) = delete;
   void operator=(const vtkMultiLayerAlphaBlendingPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkOpacityShadowMapPass);
 
 //------------------------------------------------------------------------------
@@ -13,3 +14,4 @@ vtkOpacityShadowMapPass::vtkOpacityShadowMapPass()
       "OpacityShadowMap", "SLICES" })
 {
 }
+VTK_ABI_NAMESPACE_END

@@ -15,6 +15,7 @@
 
 #include "vtkAbsorbancePass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkOpacityShadowMapPass : public vtkAbsorbancePass
 {
 public:
@@ -37,5 +38,6 @@ private:
   vtkOpacityShadowMapPass(const vtkOpacityShadowMapPass&) = delete;
   void operator=(const vtkOpacityShadowMapPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -6,8 +6,11 @@
 #ifndef vtkPeelingSettings_h
 #define vtkPeelingSettings_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkPeelingSettings
 {
   int Layers = 0;           ///< the most to peel; 0: all
@@ -22,5 +25,6 @@ struct vtkPeelingSettings
       " layers, expected no more: depths of the same fragments may differ from drawing to drawing";
   }
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

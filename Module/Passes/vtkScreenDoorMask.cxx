@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// A pattern of filled cells on a torus, and how crowded it is around each cell.
@@ -153,3 +154,4 @@ std::vector<unsigned int> vtkScreenDoorMask::MakeBlueNoise(int size)
   }
   return ranks;
 }
+VTK_ABI_NAMESPACE_END

@@ -8,9 +8,11 @@
 #define vtkScreenDoorMask_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkScreenDoorMask
 {
 public:
@@ -23,5 +25,6 @@ public:
   /// ms for 64.
   static std::vector<unsigned int> MakeBlueNoise(int size);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkScreenDoorPass);
 
 namespace
@@ -92,3 +93,4 @@ void vtkScreenDoorPass::ReleaseTechniqueResources(bool contextAlive)
   this->Nearest.Release(contextAlive);
   this->Ranks.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -27,6 +27,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyTargets.h" // for Nearest
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkScreenDoorPass : public vtkTranslucencyPass
 {
 public:
@@ -90,5 +91,6 @@ private:
   vtkScreenDoorPass(const vtkScreenDoorPass&) = delete;
   void operator=(const vtkScreenDoorPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

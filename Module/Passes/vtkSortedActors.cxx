@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkSortedActors::Sorted
 {
   vtkWeakPointer<vtkActor> Of;
@@ -128,3 +129,4 @@ void vtkSortedActors::Clear()
 {
   this->Kept.clear();
 }
+VTK_ABI_NAMESPACE_END

@@ -8,10 +8,13 @@
 #ifndef vtkSortedActors_h
 #define vtkSortedActors_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <memory>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkCamera;
 class vtkProp;
@@ -39,5 +42,6 @@ private:
   struct Sorted;
   std::vector<std::unique_ptr<Sorted>> Kept;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -16,6 +16,7 @@
 #include <limits>
 #include <set>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSortedTransparencyPass);
 
 namespace
@@ -196,3 +197,4 @@ void vtkSortedTransparencyPass::ReleaseTechniqueResources(bool contextAlive)
   this->Layers.Release(contextAlive);
   this->Actors->Clear();
 }
+VTK_ABI_NAMESPACE_END

@@ -39,6 +39,7 @@
 #include <memory> // for Actors
 #include <set>    // for names
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkSortedActors;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkSortedTransparencyPass : public vtkTranslucencyPass
@@ -104,5 +105,6 @@ private:
   vtkSortedTransparencyPass(const vtkSortedTransparencyPass&) = delete;
   void operator=(const vtkSortedTransparencyPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <random>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkStochasticTransparencyPass);
 
 namespace
@@ -235,3 +236,4 @@ void vtkStochasticTransparencyPass::ReleaseTechniqueResources(bool contextAlive)
   this->AccumulatedFrames = 0;
   this->Accumulated.clear();
 }
+VTK_ABI_NAMESPACE_END

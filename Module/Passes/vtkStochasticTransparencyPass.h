@@ -44,6 +44,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyTargets.h" // for Depths and Sums
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStochasticTransparencyPass : public vtkTranslucencyPass
 {
 public:
@@ -128,5 +129,6 @@ private:
   vtkStochasticTransparencyPass(const vtkStochasticTransparencyPass&) = delete;
   void operator=(const vtkStochasticTransparencyPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

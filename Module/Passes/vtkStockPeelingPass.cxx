@@ -9,6 +9,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkStockPeelingPass);
 
 //------------------------------------------------------------------------------
@@ -45,3 +46,4 @@ void vtkStockPeelingPass::Render(const vtkRenderState* state)
     vtkWarningMacro(<< warning);
   }
 }
+VTK_ABI_NAMESPACE_END

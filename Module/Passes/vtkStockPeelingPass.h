@@ -20,6 +20,7 @@
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkTranslucencyPeelingGuard.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkStockPeelingPass : public vtkDualDepthPeelingPass
 {
 public:
@@ -39,5 +40,6 @@ private:
   vtkTranslucencyPeelingGuard Guard;
   bool Refused = false; // a multi-sampled window, with an error
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
@@ -305,3 +306,4 @@ void vtkTechniqueChooser::StepUp()
     }
   }
 }
+VTK_ABI_NAMESPACE_END

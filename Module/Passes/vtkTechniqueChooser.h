@@ -22,10 +22,13 @@
 #ifndef vtkTechniqueChooser_h
 #define vtkTechniqueChooser_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <deque>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTechniqueChooser
 {
 public:
@@ -131,5 +134,6 @@ private:
   std::vector<Refusal> Refused;
   bool Settled = false; // until the view changes: nothing better is left
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

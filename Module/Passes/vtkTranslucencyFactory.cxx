@@ -27,6 +27,7 @@
 #include "vtkTranslucencyChain.h"
 #include "vtkTranslucentPass.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTranslucencyFactory);
 
 namespace
@@ -181,3 +182,4 @@ std::string vtkTranslucencyFactory::GetMissing(const std::string& name, vtkOpenG
   auto* own = vtkTranslucencyPass::SafeDownCast(pass);
   return own ? own->GetMissing(window) : "";
 }
+VTK_ABI_NAMESPACE_END

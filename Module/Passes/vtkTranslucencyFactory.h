@@ -13,9 +13,11 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include <string> // for names
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkRenderPass;
 class vtkRenderer;
@@ -78,5 +80,6 @@ private:
   vtkTranslucencyFactory(const vtkTranslucencyFactory&) = delete;
   void operator=(const vtkTranslucencyFactory&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "vtkTranslucencyOption.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 const char* const Memories[] = { "Variable", "Fixed" };
@@ -83,3 +84,4 @@ bool vtkVisibilityFunctionPass::RenderStages(vtkTranslucencyFrame& frame)
   this->WarnOfUnusedOptions();
   return this->RenderFixed(frame);
 }
+VTK_ABI_NAMESPACE_END

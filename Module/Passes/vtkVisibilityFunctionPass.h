@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkVisibilityFunctionPass : public vtkFragmentListPass
 {
 public:
@@ -73,5 +74,6 @@ private:
 
   std::string UnusedOptions; // those that were warned of
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWeightedTransparencyPass);
 
 namespace
@@ -143,3 +144,4 @@ void vtkWeightedTransparencyPass::ReleaseTechniqueResources(bool contextAlive)
 {
   this->Sums.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -28,6 +28,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyTargets.h" // for Sums
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkWeightedTransparencyPass : public vtkTranslucencyPass
 {
 public:
@@ -105,5 +106,6 @@ private:
   vtkWeightedTransparencyPass(const vtkWeightedTransparencyPass&) = delete;
   void operator=(const vtkWeightedTransparencyPass&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

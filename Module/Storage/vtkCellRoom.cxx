@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr int FramesMovingAfterOverflow = 30;
@@ -361,3 +362,4 @@ void vtkCellRoom::Forget()
 {
   this->Tiles.clear();
 }
+VTK_ABI_NAMESPACE_END

@@ -20,11 +20,14 @@
 #ifndef vtkCellRoom_h
 #define vtkCellRoom_h
 
+#include "vtkTranslucencyABINamespace.h"
+
 #include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCellRoom
 {
 public:
@@ -100,5 +103,6 @@ private:
   bool Moving = false;
   bool TooLarge = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -14,6 +14,7 @@
 #include <numeric>
 #include <sstream>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr vtkTypeInt64 WordBytes = 4;
@@ -542,3 +543,4 @@ void vtkCellStorage::Release(bool contextAlive)
   this->LayoutBlock.Release(contextAlive);
   this->ForgetUnits();
 }
+VTK_ABI_NAMESPACE_END

@@ -22,6 +22,7 @@
 
 #include <memory> // for the room and the counter
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCellRoom;
 class vtkFragmentCounter;
 
@@ -187,5 +188,6 @@ private:
   bool KeepsDrawOrder = false;
   Links Linked = Links::None; // in the current tile
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

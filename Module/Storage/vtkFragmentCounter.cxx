@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkFragmentCounter::Count(std::vector<unsigned int>& cells, const vtkFragmentStorage::Rectangle& tile, int length,
   const vtkTranslucencyBuffer& table, const CountFree& countFree)
@@ -35,3 +36,4 @@ void vtkFragmentCounter::Count(std::vector<unsigned int>& cells, const vtkFragme
     }
   }
 }
+VTK_ABI_NAMESPACE_END

@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyBuffer;
 
 class vtkFragmentCounter
@@ -27,5 +28,6 @@ public:
 private:
   std::vector<unsigned int> Entries; // the table's, as they were last counted
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <numeric>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkLinkedListStorage);
 
 //------------------------------------------------------------------------------
@@ -42,3 +43,4 @@ vtkTypeInt64 vtkLinkedListStorage::GetMostUnits(const Rectangle&) const
 {
   return (HEAD_MASK - 1) / this->GetUnitFragments(); // 0 is none
 }
+VTK_ABI_NAMESPACE_END

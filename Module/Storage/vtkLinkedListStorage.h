@@ -26,6 +26,7 @@
 
 #include "vtkCellStorage.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkLinkedListStorage : public vtkCellStorage
 {
 public:
@@ -49,5 +50,6 @@ private:
   vtkLinkedListStorage(const vtkLinkedListStorage&) = delete;
   void operator=(const vtkLinkedListStorage&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

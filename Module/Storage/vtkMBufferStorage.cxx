@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkMBufferStorage);
 
 namespace
@@ -69,3 +70,4 @@ void vtkMBufferStorage::Learn(const std::vector<unsigned int>& cells)
     this->LastPixels += cells[cell + CELL_PIXELS];
   }
 }
+VTK_ABI_NAMESPACE_END

@@ -19,6 +19,7 @@
 
 #include "vtkSectionStorage.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkMBufferStorage : public vtkSectionStorage
 {
 public:
@@ -57,5 +58,6 @@ private:
   vtkTypeInt64 LastFragments = 0; // of the last frame's tiles,
   vtkTypeInt64 LastPixels = 0;    // and the pixels that hold them
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkRBufferStorage);
 
 //------------------------------------------------------------------------------
@@ -62,3 +63,4 @@ std::map<std::string, std::string> vtkRBufferStorage::GetDefines() const
   defines["QUEUE_READS"] = std::to_string(this->QueueReads);
   return defines;
 }
+VTK_ABI_NAMESPACE_END

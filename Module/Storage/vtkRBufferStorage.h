@@ -25,6 +25,7 @@
 
 #include "vtkCellStorage.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkRBufferStorage : public vtkCellStorage
 {
 public:
@@ -62,5 +63,6 @@ private:
 
   int QueueReads = 32768;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

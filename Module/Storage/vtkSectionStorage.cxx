@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkSectionStorage::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -89,3 +90,4 @@ unsigned int vtkSectionStorage::CountFree(const unsigned int* entries, int count
   return std::accumulate(
     entries, entries + count, 0u, [mask](unsigned int free, unsigned int entry) { return free + (entry & mask); });
 }
+VTK_ABI_NAMESPACE_END

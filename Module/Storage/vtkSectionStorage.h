@@ -20,6 +20,7 @@
 
 #include "vtkCellStorage.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkSectionStorage : public vtkCellStorage
 {
 public:
@@ -64,5 +65,6 @@ private:
   vtkSectionStorage(const vtkSectionStorage&) = delete;
   void operator=(const vtkSectionStorage&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

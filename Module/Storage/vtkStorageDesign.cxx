@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStorageDesign.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 const std::vector<vtkStorageDesign::Kind>& vtkStorageDesign::GetAll()
 {
@@ -38,3 +39,4 @@ std::optional<vtkStorageDesign::Kind> vtkStorageDesign::Find(const std::string& 
   }
   return std::nullopt;
 }
+VTK_ABI_NAMESPACE_END

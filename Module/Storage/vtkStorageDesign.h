@@ -8,12 +8,14 @@
 #define vtkStorageDesign_h
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
+#include "vtkTranslucencyABINamespace.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStorageDesign
 {
 public:
@@ -56,5 +58,6 @@ public:
     }
   };
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkRBufferStorage.h"
 #include "vtkTBufferStorage.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using NewFunction = vtkSmartPointer<vtkFragmentStorage> (*)();
@@ -42,3 +43,4 @@ vtkSmartPointer<vtkFragmentStorage> vtkStorageTable::New(int index)
 {
   return Storages.at(static_cast<std::size_t>(index))();
 }
+VTK_ABI_NAMESPACE_END

@@ -8,10 +8,12 @@
 
 #include "vtkRenderingTranslucencyModule.h" // for the export macro
 #include "vtkSmartPointer.h"
+#include "vtkTranslucencyABINamespace.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFragmentStorage;
 
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStorageTable
@@ -23,5 +25,6 @@ public:
   /// A new one, by its place among the names.
   static vtkSmartPointer<vtkFragmentStorage> New(int index);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -19,6 +19,7 @@
 
 #include "vtkSectionStorage.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTBufferStorage : public vtkSectionStorage
 {
 public:
@@ -35,5 +36,6 @@ private:
   vtkTBufferStorage(const vtkTBufferStorage&) = delete;
   void operator=(const vtkTBufferStorage&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstring>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFragmentTracePass);
 
 namespace
@@ -112,3 +113,4 @@ void vtkFragmentTracePass::ReleaseTechniqueResources(bool contextAlive)
   this->Superclass::ReleaseTechniqueResources(contextAlive);
   this->Copy.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -25,6 +25,7 @@
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkFragmentTracePass : public vtkABufferPass
 {
 public:
@@ -56,5 +57,6 @@ private:
   std::vector<vtkStorageSimulator::Fragment> Fragments;
   vtkTranslucencyBuffer Copy;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using Design = vtkStorageAccounting::Design;
@@ -245,3 +246,4 @@ vtkStorageAccounting::Saving vtkStorageAccounting::GetSaving(Design design, Desi
   }
   return frames > 0 ? Saving{ sum.Storage / frames, sum.Accesses / frames } : Saving();
 }
+VTK_ABI_NAMESPACE_END

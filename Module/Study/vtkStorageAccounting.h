@@ -43,6 +43,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStorageAccounting
 {
 public:
@@ -127,5 +128,6 @@ private:
   std::vector<Histogram> Frames;
   std::string Error;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkStorageCountPass);
 
 //------------------------------------------------------------------------------
@@ -120,3 +121,4 @@ void vtkStorageCountPass::ReleaseTechniqueResources(bool contextAlive)
   this->Superclass::ReleaseTechniqueResources(contextAlive);
   this->PixelFragments.Release(contextAlive);
 }
+VTK_ABI_NAMESPACE_END

@@ -23,6 +23,7 @@
 #include "vtkStorageAccounting.h"  // for the histogram
 #include "vtkTranslucencyBuffer.h" // for PixelFragments
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStorageCountPass : public vtkABufferPass
 {
 public:
@@ -82,5 +83,6 @@ private:
   double PackedBytes = -1;
   vtkTranslucencyBuffer PixelFragments; // a word a pixel of the tile
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using Accounting = vtkStorageAccounting;
@@ -370,3 +371,4 @@ vtkStorageAccounting::Histogram vtkStorageSimulator::Count(
   }
   return histogram;
 }
+VTK_ABI_NAMESPACE_END

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkStorageSimulator
 {
 public:
@@ -47,5 +48,6 @@ public:
   /// What the accounting needs to know of a frame.
   static vtkStorageAccounting::Histogram Count(int width, int height, const std::vector<Fragment>& fragments);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

