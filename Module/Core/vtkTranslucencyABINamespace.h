@@ -7,9 +7,13 @@
 #ifndef vtkTranslucencyABINamespace_h
 #define vtkTranslucencyABINamespace_h
 
+#ifndef __VTK_WRAP__ // whose parser does not know the next line
 #if __has_include("vtkABINamespace.h")
 #include "vtkABINamespace.h" // IWYU pragma: export
-#else
+#endif
+#endif
+
+#ifndef VTK_ABI_NAMESPACE_BEGIN
 #define VTK_ABI_NAMESPACE_BEGIN
 #define VTK_ABI_NAMESPACE_END
 #endif
