@@ -117,7 +117,7 @@ bool vtkTranslucencyFrame::IsDrawn()
 bool vtkTranslucencyFrame::DrawCells(const char* file, vtkTypeInt64 most)
 {
   const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), this->Resources.ResolveTime);
-  vtkShaderProgram* program = this->PrepareProgram("Common/FullScreen.glsl", file, {});
+  vtkShaderProgram* program = this->PrepareProgram("Storage/EachCell.glsl", file, {});
   if (!program)
   {
     return false;

@@ -15,6 +15,32 @@
 #include "vtkShaderProgram.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// Points are as large as programs say; what is drawn next may have points whose programs say no size.
+class ScopedPointSizes
+{
+public:
+  ScopedPointSizes()
+    : Found(glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE)
+  {
+    glEnable(GL_PROGRAM_POINT_SIZE);
+  }
+  ~ScopedPointSizes()
+  {
+    if (!this->Found)
+    {
+      glDisable(GL_PROGRAM_POINT_SIZE);
+    }
+  }
+  ScopedPointSizes(const ScopedPointSizes&) = delete;
+  ScopedPointSizes& operator=(const ScopedPointSizes&) = delete;
+
+private:
+  bool Found;
+};
+}
+
 //------------------------------------------------------------------------------
 vtkTranslucencyResolver::vtkTranslucencyResolver(
   vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window, vtkTranslucencyGeometry& geometry)
@@ -81,17 +107,12 @@ std::string vtkTranslucencyResolver::Draw(vtkShaderProgram* program, const vtkTr
   const int across = vtkTranslucencyResolveStatistics::GetSquares(tile[2]);
   const int down = vtkTranslucencyResolveStatistics::GetSquares(tile[3]);
   state->vtkglViewport(tile[0], tile[1], across * RESOLVE_SQUARE, down * RESOLVE_SQUARE);
-  const bool sizedByPrograms = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
-  glEnable(GL_PROGRAM_POINT_SIZE);
+  const ScopedPointSizes sizes;
   state->vtkglDisable(GL_DEPTH_TEST);
   vtkTranslucencyStage blended;
   blended.Blend = over;
   this->Geometry.PrepareColors(blended);
   kept.Programs.DrawVertices(GL_POINTS, across * down);
-  if (!sizedByPrograms)
-  {
-    glDisable(GL_PROGRAM_POINT_SIZE); // the next tile may have points of the scene's, whose programs say no size
-  }
   if (storage)
   {
     storage->FinishLinks();
@@ -117,7 +138,8 @@ void vtkTranslucencyResolver::DrawCells(vtkShaderProgram* program, vtkFragmentSt
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_MULTISAMPLE);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  const auto draw = [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); };
+  const ScopedPointSizes sizes;
+  const auto draw = [&] { kept.Programs.DrawVertices(GL_POINTS, cells[0] * cells[1]); };
   bool any = true;
   for (vtkTypeInt64 left = most; any && left > 0; --left)
   {
