@@ -569,7 +569,8 @@ bool vtkTranslucencyFrame::IsLeftTo(int level)
 //------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::IsLeftTo(const Squares& squares)
 {
-  return this->IsLeftTo(squares.Level) || (this->Complete && this->Storage->GetMostExpected() > squares.Fewer);
+  return this->IsComplete() &&
+    (this->Storage->GetMostExpected() > squares.Fewer || this->Resources.Resolved.IsLeftTo(squares.Level));
 }
 
 //------------------------------------------------------------------------------

@@ -77,6 +77,21 @@ RC_GTEST_PROP(TestTiles, AreThoseOfTheFrameBefore, ())
   RC_ASSERT(tiles.GetLastUnits() == static_cast<std::int64_t>(2 * first.size()));
 }
 
+// What has failed counts as finished, too, or the next frame would leave it out.
+TEST(TestTiles, TellWhetherTheCurrentOneIsFinished)
+{
+  Tiles tiles;
+  tiles.BeginFrame({ { 0, 0, 8, 8 } });
+  ASSERT_TRUE(tiles.Next());
+  EXPECT_FALSE(tiles.IsFinished());
+  tiles.Cut(2);
+  EXPECT_FALSE(tiles.IsFinished());
+  tiles.Finish();
+  EXPECT_TRUE(tiles.IsFinished());
+  ASSERT_TRUE(tiles.Next());
+  EXPECT_FALSE(tiles.IsFinished());
+}
+
 TEST(TestTiles, AreForgottenWithTheViewport)
 {
   Tiles tiles;
