@@ -5,8 +5,6 @@
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyOption.h"
 
-#include <limits>
-
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkFragmentStorage::PrintSelf(ostream& os, vtkIndent indent)
@@ -38,10 +36,8 @@ std::vector<vtkTranslucencyOption> vtkFragmentStorage::GetOptions()
              "near 1/255",
              [this] { return this->GetColorFormat(); },
              [this](double value) { this->SetColorFormat(static_cast<int>(value)); } },
-    { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
-      "graphics memory for fragments, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the "
-      "driver's memory, or 2048",
-      [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
+    vtkTranslucencyOption::NewMemoryLimit(
+      "fragments", [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); }) };
 }
 
 //------------------------------------------------------------------------------

@@ -547,6 +547,12 @@ void vtkTranslucencyFrame::SetSample(int sample, int among)
 }
 
 //------------------------------------------------------------------------------
+int vtkTranslucencyFrame::GetSample() const
+{
+  return this->Resolver->GetSample();
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::ReserveSampleColors()
 {
   return this->GetSamples() == 1 || this->Resolver->ReserveSampleColors(this->GetSamples(), this->GetChannels()) ||

@@ -154,6 +154,7 @@ public:
   /// level, only squares with pixels that were left to that, too.
   void SetSample(int sample, int among = -1);
   static constexpr int WholePixel = -1;
+  int GetSample() const;
 
   /// Makes room for the colours of the tile's samples that a resolve stores (Shaders/Common/SampleColors.glsl).
   bool ReserveSampleColors();

@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "vtkObject.h"
 #include "vtkVariant.h"
@@ -16,6 +17,16 @@ VTK_ABI_NAMESPACE_BEGIN
 bool vtkTranslucencyOption::IsOpen() const
 {
   return !std::isfinite(this->Maximum) || (this->Type == Kind::Integer && this->Maximum == VTK_INT_MAX);
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyOption vtkTranslucencyOption::NewMemoryLimit(
+  const std::string& subject, std::function<double()> get, std::function<void(double)> set)
+{
+  return { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
+    "graphics memory for " + subject +
+      ", in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's memory, or 2048",
+    std::move(get), std::move(set) };
 }
 
 //------------------------------------------------------------------------------

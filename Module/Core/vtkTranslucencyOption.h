@@ -39,6 +39,10 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyOption
   std::function<double()> Get;
   std::function<void(double)> Set;
 
+  /// The row of a property MemoryLimit: a bound of the graphics memory for what its owner keeps there.
+  static vtkTranslucencyOption NewMemoryLimit(
+    const std::string& subject, std::function<double()> get, std::function<void(double)> set);
+
   /// "1..64", "linked-list or t-buffer": what a value has to be, for messages and help.
   std::string Range() const;
 

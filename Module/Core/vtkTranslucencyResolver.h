@@ -22,6 +22,7 @@ public:
 
   /// What vtkTranslucencyFrame::SetSample says.
   void SetSample(int sample, int among);
+  int GetSample() const { return this->Sample; }
 
   /// Makes room for the colours of the tile's samples. False if there is no memory for it.
   bool ReserveSampleColors(int samples, int channels);

@@ -10,8 +10,6 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
-#include <limits>
-
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkDepthPeelPass);
 
@@ -103,10 +101,9 @@ std::vector<vtkTranslucencyOption> vtkDepthPeelPass::GetOptions()
       "mean colour",
       [this] { return this->GetTail(); }, [this](double value) { this->SetTail(static_cast<int>(value)); } },
     this->GetCriticalSectionOption(),
-    { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
-      "graphics memory for bucket-sort, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's "
-      "memory, or 2048",
-      [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
+    vtkTranslucencyOption::NewMemoryLimit(
+      "bucket-sort", [this] { return this->GetMemoryLimit(); },
+      [this](double value) { this->SetMemoryLimit(value); }) };
 }
 
 //------------------------------------------------------------------------------

@@ -190,11 +190,12 @@ bool vtkFragmentListPass::ResolveShortLists(
   vtkTranslucencyFrame& frame, int most, int longer, vtkTranslucencyFrame::Squares& rest)
 {
   rest = {};
-  for (int size = 8; size <= std::min(32, most); size *= 2)
+  const int largest = frame.GetSample() == vtkTranslucencyFrame::WholePixel ? std::min(32, most) : 0;
+  for (int size = 8; size <= largest; size *= 2)
   {
     this->LargestBlock = size;
     rest.Most = size;
-    const int next = 2 * size <= std::min(32, most) ? rest.Level + 1 : longer;
+    const int next = 2 * size <= largest ? rest.Level + 1 : longer;
     if (!frame.Resolve("ABuffer/ResolveShort.glsl",
           { { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "0" }, { "LONGER_LEVEL", LevelText(next) },
             { "EQUAL_DEPTHS_LEVEL", LevelText(ShortEqualDepths) } },

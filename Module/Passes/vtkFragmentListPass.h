@@ -88,7 +88,8 @@ protected:
 
   /**
    * Draws, exactly and in registers, pixels of few fragments: up to 8, 16 and 32, as far as that is not more than most.
-   * Longer lists are left to a level; rest is that level and the squares that are full of them.
+   * Longer lists are left to a level; rest is that level and the squares that are full of them. All samples of these
+   * pixels are drawn at once: where a single sample is resolved, rest is everything.
    */
   bool ResolveShortLists(vtkTranslucencyFrame& frame, int most, int longer, vtkTranslucencyFrame::Squares& rest);
 

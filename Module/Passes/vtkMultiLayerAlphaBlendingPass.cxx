@@ -7,8 +7,6 @@
 
 #include "vtkObjectFactory.h"
 
-#include <limits>
-
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkMultiLayerAlphaBlendingPass);
 
@@ -96,10 +94,8 @@ std::vector<vtkTranslucencyOption> vtkMultiLayerAlphaBlendingPass::GetOptions()
       "merging",
       [this] { return this->GetColorFormat(); },
       [this](double value) { this->SetColorFormat(static_cast<int>(value)); } },
-    { "MemoryLimit", "memory_limit", Kind::Real, 0, 0, std::numeric_limits<double>::infinity(), {},
-      "graphics memory for layers, in MiB; what does not fit is drawn in tiles; 0 means a quarter of the driver's "
-      "memory, or 2048",
-      [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); } } };
+    vtkTranslucencyOption::NewMemoryLimit(
+      "layers", [this] { return this->GetMemoryLimit(); }, [this](double value) { this->SetMemoryLimit(value); }) };
 }
 
 //------------------------------------------------------------------------------

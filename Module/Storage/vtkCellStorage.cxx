@@ -304,7 +304,8 @@ bool vtkCellStorage::ReserveLinks()
       buffer.BindStorage(layout.Binding);
     }
   }
-  this->Linked = Links::Made;
+  // Resolves come again for each sample, when some lists have been moved: one program then does for both.
+  this->Linked = this->Samples > 1 ? Links::Mixed : Links::Made;
   return true;
 }
 

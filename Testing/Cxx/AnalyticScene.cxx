@@ -294,6 +294,27 @@ AnalyticScene AnalyticScene::Reversed() const
 }
 
 //------------------------------------------------------------------------------
+AnalyticScene AnalyticScene::Shrunk(int factor) const
+{
+  AnalyticScene scene = *this;
+  const auto shrink = [factor](Rectangle& rectangle)
+  {
+    for (int* edge : { &rectangle.Left, &rectangle.Bottom, &rectangle.Right, &rectangle.Top })
+    {
+      *edge /= factor;
+    }
+  };
+  scene.Width /= factor;
+  scene.Height /= factor;
+  std::for_each(scene.Opaque.begin(), scene.Opaque.end(), shrink);
+  for (Layer& layer : scene.Translucent)
+  {
+    std::for_each(layer.begin(), layer.end(), shrink);
+  }
+  return scene;
+}
+
+//------------------------------------------------------------------------------
 AnalyticScene AnalyticScene::Transmitting(unsigned int seed) const
 {
   AnalyticScene scene = *this;

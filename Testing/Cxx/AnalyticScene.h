@@ -67,6 +67,9 @@ struct AnalyticScene
   /// The same with the translucent layers drawn the other way round.
   AnalyticScene Reversed() const;
 
+  /// The same lists of fragments in fewer pixels: all lengths, which are multiples of the factor, are divided by it.
+  AnalyticScene Shrunk(int factor) const;
+
   /// The same with transmission colours, from 0 to 0.9.
   AnalyticScene Transmitting(unsigned int seed) const;
 

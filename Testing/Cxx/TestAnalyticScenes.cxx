@@ -115,10 +115,10 @@ std::vector<Scene> Scenes()
   return {
     { "Layers3", [] { return RandomLayers(400, 300, 1, 3, 0.2, 0.8); }, ShowsThrough, 2 },
     { "Layers30", [] { return RandomLayers(400, 300, 2, 30, 0.02, 0.8); }, ShowsThrough, 2 },
-    { "Layers300", [] { return RandomLayers(400, 300, 3, 300, 0.02, 0.3); }, 1, 2 },
-    { "Layers1200", [] { return RandomLayers(400, 300, 4, 1200, 0.005, 0.05); }, 1, 0 },
+    { "Layers300", [] { return RandomLayers(400, 300, 3, 300, 0.02, 0.3).Shrunk(5); }, 1, 2 },
+    { "Layers1200", [] { return RandomLayers(400, 300, 4, 1200, 0.005, 0.05).Shrunk(5); }, 1, 0 },
     { "Layers1200Small", [] { return RandomLayers(80, 60, 5, 1200, 0.005, 0.05); }, 1, 0 },
-    { "Mosaic64", [] { return RandomMosaic(400, 300, 6, 64, 0.02, 0.3); }, 1, 1 },
+    { "Mosaic64", [] { return RandomMosaic(400, 300, 6, 64, 0.02, 0.3).Shrunk(5); }, 1, 1 },
   };
 }
 

@@ -161,8 +161,8 @@ constexpr double ShowsThrough = 1.5;
 
 const Case Cases[] = {
   { "Layers3", [] { return RandomLayers(400, 300, 1, 3, 0.2, 0.8); }, ShowsThrough },
-  { "Layers30", [] { return RandomLayers(400, 300, 2, 30, 0.02, 0.8); }, ShowsThrough },
-  { "EqualDepths", [] { return WithEqualDepths(RandomLayers(400, 300, 8, 30, 0.1, 0.6)); }, ShowsThrough },
+  { "Layers30", [] { return RandomLayers(400, 300, 2, 30, 0.02, 0.8).Shrunk(5); }, ShowsThrough },
+  { "EqualDepths", [] { return WithEqualDepths(RandomLayers(400, 300, 8, 30, 0.1, 0.6).Shrunk(5)); }, ShowsThrough },
   { "AdjacentDepths", WithAdjacentDepths, ShowsThrough },
   { "Layers300", [] { return AsOneActor(RandomLayers(60, 40, 3, 300, 0.02, 0.3)); }, 1 },
   { "Layers1200", [] { return AsOneActor(RandomLayers(20, 20, 5, 1200, 0.005, 0.05)); }, 1 },

@@ -31,8 +31,8 @@ protected:
 };
 
 //------------------------------------------------------------------------------
-// A compiler that does not unroll a loop over the nodes makes the resolve ten times slower; here the steps of 64 nodes
-// are four times those of 16.
+// The steps of 64 nodes are four times those of 16, and were measured to take four to six times as long. A compiler
+// that does not unroll a loop over the nodes makes the resolve ten times slower.
 TEST_F(TestSpeed, NodesStayInRegistersUpTo64)
 {
   for (int removal : { vtkAdaptiveTransparencyPass::Underestimate, vtkAdaptiveTransparencyPass::Overestimate,
@@ -44,7 +44,7 @@ TEST_F(TestSpeed, NodesStayInRegistersUpTo64)
     many->SetNodeRemoval(removal);
     few->SetNodeCount(16);
     many->SetNodeCount(64);
-    const double expected = 4 * this->GetResolveTime(few);
-    EXPECT_LT(this->GetResolveTime(many), 1.5 * expected) << "removal " << removal;
+    const double least = this->GetResolveTime(few);
+    EXPECT_LT(this->GetResolveTime(many), 10 * least) << "removal " << removal;
   }
 }
