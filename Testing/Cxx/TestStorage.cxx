@@ -282,7 +282,7 @@ TEST_P(TestStorage, KeepsTheLimit)
   view.SetPass(pass);
   const Picture expected = view.Render();
   const vtkTypeInt64 fragments = pass->GetStatistics()->GetFragments();
-  for (double limit : { 0.2, 1.0, 2.0 })
+  for (double limit : { 0.2, 0.8, 1.5 })
   {
     SCOPED_TRACE(limit);
     pass->GetStorage()->SetMemoryLimit(limit);
