@@ -138,6 +138,14 @@ std::array<int, 4> vtkTranslucencyGLState::GetScissor() const
 }
 
 //------------------------------------------------------------------------------
+unsigned int vtkTranslucencyGLState::GetDrawFramebuffer()
+{
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  return static_cast<unsigned int>(bound);
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyGLState::UsePlainBlending(vtkOpenGLState* state)
 {
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

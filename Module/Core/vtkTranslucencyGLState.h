@@ -32,6 +32,9 @@ public:
   /// GL_SCISSOR_BOX as it was, or the viewport where the scissor test was off.
   std::array<int, 4> GetScissor() const;
 
+  /// The name of the framebuffer that is drawn to.
+  static unsigned int GetDrawFramebuffer();
+
   /// Blends as VTK blends translucent props.
   static void UsePlainBlending(vtkOpenGLState* state);
 

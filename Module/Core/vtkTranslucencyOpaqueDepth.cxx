@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyOpaqueDepth.h"
 
+#include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -26,12 +27,11 @@ bool vtkTranslucencyOpaqueDepth::Capture()
   const auto& from = this->Viewport;
   const int width = from[0] + from[2];
   const int height = from[1] + from[3];
-  GLint drawn = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
-  this->Reserve(width, height, static_cast<unsigned int>(drawn));
+  const unsigned int drawn = vtkTranslucencyGLState::GetDrawFramebuffer();
+  this->Reserve(width, height, drawn);
 
   state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(drawn));
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, drawn);
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   this->Framebuffer->AddDepthAttachment(this->Depth);
   while (glGetError() != GL_NO_ERROR)

@@ -24,14 +24,12 @@ namespace
 // depths.
 std::vector<float> ReadDrawn(vtkOpenGLState* state)
 {
-  GLint drawn = 0;
   GLint most = 0;
   std::array<GLint, 4> viewport{};
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &most);
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
   state->PushReadFramebufferBinding();
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(drawn));
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, vtkTranslucencyGLState::GetDrawFramebuffer());
   GLint readBuffer = 0;
   glGetIntegerv(GL_READ_BUFFER, &readBuffer);
   constexpr std::size_t channels = 4;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyTargets.h"
 
+#include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -160,8 +161,7 @@ void vtkTranslucencyTargets::ReserveDepth(unsigned int format)
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window, bool copyDepth)
 {
-  GLint found = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &found);
+  const unsigned int found = vtkTranslucencyGLState::GetDrawFramebuffer();
   const GLint type = DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
   const auto depth =
     static_cast<GLuint>(type == GL_NONE ? 0 : DepthAttachment(found, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
@@ -209,7 +209,7 @@ std::string vtkTranslucencyTargets::Bind(vtkOpenGLRenderWindow* window, bool cop
   }
   if (copyDepth)
   {
-    window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(found));
+    window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, found);
     glBlitFramebuffer(
       0, 0, this->Width, this->Height, 0, 0, this->Width, this->Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyUnreached.h"
 
+#include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkActor.h"
@@ -19,13 +20,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-int DrawFramebuffer()
-{
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  return bound;
-}
-
 vtkMTimeType LastChange(vtkProp* prop)
 {
   return std::max(prop->GetRedrawMTime(), prop->GetShaderProperty()->GetShaderMTime());
@@ -52,14 +46,14 @@ bool vtkTranslucencyUnreached::FindText(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkTranslucencyUnreached::Watch(vtkOpenGLRenderWindow* window, const std::function<void()>& draw)
 {
-  const int drawn = DrawFramebuffer();
+  const unsigned int drawn = vtkTranslucencyGLState::GetDrawFramebuffer();
   const auto report = [this, drawn](vtkShaderProgram* program)
   {
     const auto known = this->HasText.find(program);
     const bool has = known != this->HasText.end()
       ? known->second
       : this->HasText.emplace(program, this->FindText(program)).first->second;
-    if (!has && DrawFramebuffer() == drawn) // mappers may prepare something elsewhere
+    if (!has && vtkTranslucencyGLState::GetDrawFramebuffer() == drawn) // mappers may prepare something elsewhere
     {
       this->Missed = true;
     }

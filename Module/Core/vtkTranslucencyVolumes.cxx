@@ -3,6 +3,7 @@
 #include "vtkTranslucencyVolumes.h"
 
 #include "vtkTranslucencyBuffer.h"
+#include "vtkTranslucencyGLState.h"
 #include "vtkTranslucencyShader.h"
 #include "vtkTranslucencyVTKVersion.h"
 
@@ -26,13 +27,6 @@ bool CastsRaysByShader(vtkProp* prop)
     (mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
       mapper->IsA("vtkMultiBlockVolumeMapper"));
 }
-
-int DrawFramebuffer()
-{
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  return bound;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -51,7 +45,7 @@ void vtkTranslucencyVolumes::Find(const vtkRenderState* state, vtkRenderPass* pa
 //------------------------------------------------------------------------------
 void vtkTranslucencyVolumes::Gather(const vtkRenderState* one, int rounds)
 {
-  this->Framebuffer = DrawFramebuffer();
+  this->Framebuffer = vtkTranslucencyGLState::GetDrawFramebuffer();
   this->Gathered = false;
   for (this->Round = 0; this->Round < rounds && (this->Round == 0 || this->Gathered); ++this->Round)
   {
@@ -137,7 +131,7 @@ bool vtkTranslucencyVolumes::PostReplaceShaderValues(
 //------------------------------------------------------------------------------
 void vtkTranslucencyVolumes::SetShaderParameters(vtkShaderProgram* program)
 {
-  this->Gathered = DrawFramebuffer() == this->Framebuffer;
+  this->Gathered = vtkTranslucencyGLState::GetDrawFramebuffer() == this->Framebuffer;
   program->SetUniformi("gathersVolume", this->Gathered ? 1 : 0);
   vtkTranslucencyShader::SetUniforms(program, { { "gatherRound", this->Round } });
   vtkTranslucencyBuffer::FinishStores(); // a block, volume or round before has changed the same lists

@@ -63,8 +63,8 @@ private:
   std::vector<vtkProp*> Others;
   vtkRenderPass* Pass = nullptr;
   std::string GatherText;
-  int Framebuffer = 0;   // that is drawn to
-  bool Gathered = false; // the volume that is being drawn
+  unsigned int Framebuffer = 0; // that is drawn to
+  bool Gathered = false;        // the volume that is being drawn
   int Round = 0;
 };
 VTK_ABI_NAMESPACE_END

@@ -145,8 +145,9 @@ constexpr double Bound = 2;
 //------------------------------------------------------------------------------
 TEST_P(TestAbsorbancePass, IsAsComputed)
 {
-  for (const AnalyticScene& scene : { RandomLayers(200, 150, 11, 3, 0.2, 0.8), RandomLayers(100, 80, 12, 30, 0.02, 0.8),
-         RandomLayers(80, 60, 13, 70, 0.02, 0.3), RandomMosaic(100, 80, 14, 20, 0.02, 0.6) })
+  for (const AnalyticScene& scene :
+    { RandomLayers(200, 150, 11, 3, 0.2, 0.8).Shrunk(5), RandomLayers(100, 80, 12, 30, 0.02, 0.8).Shrunk(5),
+      RandomLayers(80, 60, 13, 70, 0.02, 0.3).Shrunk(5), RandomMosaic(100, 80, 14, 20, 0.02, 0.6).Shrunk(5) })
   {
     const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(this->GetCompositor(scene)));
     EXPECT_LE(difference.Largest, Bound) << scene.Translucent.size() << " layers: " << difference;
@@ -157,7 +158,7 @@ TEST_P(TestAbsorbancePass, IsAsComputed)
 // Black in front of white: only the total transmittance is seen.
 TEST_P(TestAbsorbancePass, LetsThroughExactlyWhatIsLetThrough)
 {
-  AnalyticScene scene = RandomLayers(200, 150, 15, 25, 0.02, 0.4);
+  AnalyticScene scene = RandomLayers(200, 150, 15, 25, 0.02, 0.4).Shrunk(5);
   scene.Background = { { 1, 1, 1 } };
   scene.Opaque.clear();
   for (Layer& layer : scene.Translucent)
@@ -171,7 +172,7 @@ TEST_P(TestAbsorbancePass, LetsThroughExactlyWhatIsLetThrough)
 //------------------------------------------------------------------------------
 TEST_P(TestAbsorbancePass, OnlyFragmentIsExact)
 {
-  AnalyticScene scene = RandomMosaic(200, 160, 16, 1, 0.02, 1);
+  AnalyticScene scene = RandomMosaic(200, 160, 16, 1, 0.02, 1).Shrunk(5);
   scene.Background = { { 0.2, 0.4, 0.6 } };
   const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(Reference::CompositeExact));
   EXPECT_LE(difference.Largest, 1.5) << difference;
@@ -191,7 +192,7 @@ TEST_P(TestAbsorbancePass, OpaqueFragmentHidesWhatIsBehind)
 //------------------------------------------------------------------------------
 TEST_P(TestAbsorbancePass, OrderOfDrawingChangesNothing)
 {
-  const AnalyticScene scene = RandomLayers(100, 80, 17, 40, 0.02, 0.5);
+  const AnalyticScene scene = RandomLayers(100, 80, 17, 40, 0.02, 0.5).Shrunk(5);
   const PictureDifference difference = Compare(this->DrawTwice(scene), this->DrawTwice(scene.Reversed()));
   EXPECT_LE(difference.Largest, 1) << difference;
 }

@@ -164,9 +164,9 @@ const Case Cases[] = {
   { "Layers30", [] { return RandomLayers(400, 300, 2, 30, 0.02, 0.8).Shrunk(5); }, ShowsThrough },
   { "EqualDepths", [] { return WithEqualDepths(RandomLayers(400, 300, 8, 30, 0.1, 0.6).Shrunk(5)); }, ShowsThrough },
   { "AdjacentDepths", WithAdjacentDepths, ShowsThrough },
-  { "Layers300", [] { return AsOneActor(RandomLayers(60, 40, 3, 300, 0.02, 0.3)); }, 1 },
-  { "Layers1200", [] { return AsOneActor(RandomLayers(20, 20, 5, 1200, 0.005, 0.05)); }, 1 },
-  { "Mosaic64", [] { return RandomMosaic(120, 80, 6, 64, 0.02, 0.3); }, 1 },
+  { "Layers300", [] { return AsOneActor(RandomLayers(60, 40, 3, 300, 0.02, 0.3).Shrunk(5)); }, 1 },
+  { "Layers1200", [] { return AsOneActor(RandomLayers(20, 20, 5, 1200, 0.005, 0.05).Shrunk(5)); }, 1 },
+  { "Mosaic64", [] { return RandomMosaic(120, 80, 6, 64, 0.02, 0.3).Shrunk(5); }, 1 },
 };
 
 void PrintTo(const Case& value, std::ostream* os)
@@ -228,7 +228,7 @@ class TestDepthPeelOfSome
 TEST_P(TestDepthPeelOfSome, IsTheseLayersAndTheTail)
 {
   const auto& [method, layers, tail, samples] = GetParam();
-  const AnalyticScene scene = WithEqualDepths(RandomLayers(200, 160, 7, 30, 0.02, 0.15));
+  const AnalyticScene scene = WithEqualDepths(RandomLayers(200, 160, 7, 30, 0.02, 0.15).Shrunk(5));
   View view(scene, samples);
   view.SetPass(NewPeel(method, layers, tail));
   const auto half = static_cast<std::size_t>((layers + 1) / 2);
@@ -258,7 +258,7 @@ class TestDepthPeel
 
 TEST_P(TestDepthPeel, DependsOnNoDrawingOrder)
 {
-  const AnalyticScene scene = RandomLayers(200, 160, 9, 40, 0.1, 0.5);
+  const AnalyticScene scene = RandomLayers(200, 160, 9, 40, 0.1, 0.5).Shrunk(5);
   const auto draw = [](const AnalyticScene& drawn, int tail)
   { return Draw(drawn, NewPeel(GetParam(), tail < 0 ? 0 : 4, std::max(tail, Drop))); };
   EXPECT_EQ(Compare(draw(scene, -1), draw(scene.Reversed(), -1)).Largest, 0) << "all layers";
@@ -308,7 +308,7 @@ TEST_P(TestDepthPeel, DrawsTheGeometryNoMoreOftenThanItHasTo)
 
 TEST_P(TestDepthPeel, BuildsNoShaderInLaterFrames)
 {
-  const AnalyticScene scene = RandomLayers(200, 160, 9, 20, 0.1, 0.5);
+  const AnalyticScene scene = RandomLayers(200, 160, 9, 20, 0.1, 0.5).Shrunk(5);
   const auto pass = NewPeel(GetParam(), 4);
   View view(scene);
   view.SetPass(pass);
@@ -349,7 +349,7 @@ TEST_F(TestDepthPeelBuckets, GiveNoLessThanTheyHoldADrawing)
 
 TEST_F(TestDepthPeelBuckets, AreThoseOfTheFrameThatNeedsThem)
 {
-  const AnalyticScene scene = RandomLayers(200, 160, 9, 20, 0.1, 0.5);
+  const AnalyticScene scene = RandomLayers(200, 160, 9, 20, 0.1, 0.5).Shrunk(5);
   const auto pass = NewPeel(Dual);
   View view(scene);
   view.SetPass(pass);

@@ -95,7 +95,7 @@ class TestFragmentTracePass
 //------------------------------------------------------------------------------
 TEST_P(TestFragmentTracePass, KeepsEveryFragment)
 {
-  const AnalyticScene scene = RandomLayers(400, 300, 13, 60, 0.02, 0.5);
+  const AnalyticScene scene = RandomLayers(200, 150, 13, 60, 0.02, 0.5);
   vtkNew<vtkABufferPass> exact;
   exact->GetStorage()->SetColorFormat(GetParam().ColorFormat);
   const Picture right = Draw(scene, exact);

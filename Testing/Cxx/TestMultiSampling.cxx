@@ -46,6 +46,15 @@ enum class Side
 Side SideOf(const Triangle& triangle, const Position& p)
 {
   constexpr double Nowhere = 0.006; // pixels: corners are rounded to 1/256
+  for (int axis : { 0, 1 })         // nearly all are far away
+  {
+    const auto [low, high] =
+      std::minmax({ triangle.Corners[0][axis], triangle.Corners[1][axis], triangle.Corners[2][axis] });
+    if (p[axis] < low - Nowhere || p[axis] > high + Nowhere)
+    {
+      return Side::Outside;
+    }
+  }
   bool left = true;
   bool right = true;
   bool close = false;

@@ -63,8 +63,8 @@ class TestOrderOfExact
 //------------------------------------------------------------------------------
 TEST_P(TestOrderOfExact, DrawsTheSameBitsInReversedOrder)
 {
-  for (const AnalyticScene& scene : { RandomLayers(400, 300, 3, 300, 0.02, 0.3),
-         RandomLayers(80, 60, 5, 1200, 0.005, 0.05), RandomLayers(100, 80, 7, 20, 0.02, 0.8) })
+  for (const AnalyticScene& scene : { RandomLayers(400, 300, 3, 300, 0.02, 0.3).Shrunk(5),
+         RandomLayers(80, 60, 5, 1200, 0.005, 0.05).Shrunk(5), RandomLayers(100, 80, 7, 20, 0.02, 0.8) })
   {
     const Picture drawn = Draw(scene, NewExact(GetParam()));
     EXPECT_EQ(Compare(drawn, Draw(scene.Reversed(), NewExact(GetParam()))).Largest, 0);
@@ -235,7 +235,7 @@ class TestWorstCase
 
 TEST_P(TestWorstCase, StaysWithinItsBound)
 {
-  const AnalyticScene scene = RandomMosaic(400, 300, 9, 64, 0.02, 0.3);
+  const AnalyticScene scene = RandomMosaic(400, 300, 9, 64, 0.02, 0.3).Shrunk(5);
   const Picture exact = scene.Compute(Reference::CompositeExact);
   const Picture drawn = Draw(scene, NewAdaptive(GetParam().NodeCount, Removal::Underestimate));
   const double rmse = Compare(drawn, exact).RootMeanSquare;

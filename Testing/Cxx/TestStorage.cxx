@@ -56,7 +56,7 @@ Storage Sections(const std::string& name, const std::string& design, int length)
 const Storage LinkedList{ "LinkedList", { { "storage", "linked-list" } }, true };
 const Storage TBuffer{ "TBuffer", { { "storage", "t-buffer" } }, true };
 const Storage MBuffer{ "MBuffer", { { "storage", "m-buffer" } }, true };
-// Whose sections do not follow the scene: what follows are the same shaders for another length.
+// Its sections do not follow the scene, for each other length of which all shaders are built anew.
 const Storage MBufferOf4{ "MBuffer", { { "storage", "m-buffer" }, { "section_length", "4" } }, true };
 const Storage RBuffer{ "RBuffer", { { "storage", "r-buffer" } }, false };
 
@@ -239,8 +239,8 @@ TEST_P(TestStorage, DrawsAsLinkedListsDo)
 TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
 {
   const auto& [storage, samples] = GetParam();
-  ExpectSamePictures(
-    storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, true);
+  ExpectSamePictures(storage.Name == MBufferOf4.Name ? MBufferOf4 : storage, Techniques[0],
+    { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, true);
 }
 
 // What shaders count, and what the closed forms expect from nothing but the histogram.
@@ -249,7 +249,7 @@ TEST_P(TestStorage, CountsWhatTheClosedFormsSay)
   const auto& [storage, samples] = GetParam();
   View view(Mixed(), samples);
   Fill(view, false);
-  const auto exact = New(storage);
+  const auto exact = New(LinkedList); // which draws what the others do
   view.SetPass(exact);
   const Picture expected = view.Render();
   const auto pass = NewCounting(storage.Options);
@@ -311,8 +311,8 @@ TEST_P(TestStorageInBytes, DrawsAsLinkedListsDo)
   ExpectSamePictures(GetParam(), Techniques[0], { { "color_format", "rgba8" } }, 1, false);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Designs, TestStorageInBytes, testing::ValuesIn(Designs), [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Designs, TestStorageInBytes, testing::Values(LinkedList, TBuffer, MBufferOf4, RBuffer),
+  [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 class TestStorageLengths
@@ -453,14 +453,14 @@ private:
 
 TEST_F(TestStorageOrder, WhatDidNotFitIsDrawnOnce)
 {
-  View view(RandomLayers(120, 90, 68, 40, 0.02, 0.5));
+  View view(RandomLayers(60, 45, 68, 12, 0.02, 0.5));
   for (const char* technique : { "exact", "adaptive", "fourier" })
   {
     for (const Storage& storage : Designs)
     {
       SCOPED_TRACE(technique + storage.Name);
       const auto pass = New(storage, technique);
-      CellStorageOf(pass)->SetInitialFragments(120 * 90);
+      CellStorageOf(pass)->SetInitialFragments(60 * 45);
       view.SetPass(pass);
       const Picture first = view.Render();
       EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
