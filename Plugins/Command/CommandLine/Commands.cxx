@@ -202,7 +202,7 @@ void RunRender(const Arguments& arguments)
   OutputFiles files;
   const fs::path file = files.Add(arguments.Output);
   stage.Draw(stage.Add(task.Setting, technique));
-  stage.Read().Write(file, arguments.Output);
+  stage.Read()->Write(file, arguments.Output);
   files.Commit();
 }
 
@@ -218,20 +218,20 @@ std::map<std::string, std::string> DrawPictures(const std::vector<int>& numbers,
     contents[name] = Contents(file);
   };
   stage.Draw(numbers[reference]);
-  const Picture right = stage.Read();
+  const std::unique_ptr<Picture> right = stage.Read();
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     ReportRow& row = report.Rows[i];
     stage.Settle(numbers[i]);
     stage.Draw(numbers[i]);
-    const Picture picture = stage.Read();
+    const std::unique_ptr<Picture> picture = stage.Read();
     row.PictureFile = FileNameOf(row.Technique) + ".png";
-    write(picture, row.PictureFile);
+    write(*picture, row.PictureFile);
     if (i != reference)
     {
-      row.ToReference = picture.CompareTo(right);
+      row.ToReference = picture->CompareTo(*right);
       row.DifferenceFile = FileNameOf(row.Technique) + "-difference.png";
-      write(picture.AbsoluteDifference(right, 8), row.DifferenceFile);
+      write(*picture->AbsoluteDifference(*right, 8), row.DifferenceFile);
     }
   }
   return contents;

@@ -3,33 +3,26 @@
 #include "Program.h"
 
 #include "Basics/Failure.h"
+#include "Basics/Libraries.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 
 #include <unistd.h>
 
 namespace
 {
-namespace fs = std::filesystem;
-
-// Beside the library, whichever place the installation was moved to.
 std::string FindPreload()
 {
-  const fs::path file = (fs::read_symlink("/proc/self/exe").parent_path() / TRANSLUCENCY_PRELOAD).lexically_normal();
-  if (!fs::exists(file))
+  const std::string file = FindLibrary(TRANSLUCENCY_PRELOAD, "programs are run with");
+  if (file.find_first_of(" :") != std::string::npos)
   {
-    throw Failure("'" + file.string() + "' is not there, expected the library that programs are run with");
+    throw Failure("'" + file + "' can't be preloaded, expected a path without spaces and colons");
   }
-  if (file.string().find_first_of(" :") != std::string::npos)
-  {
-    throw Failure("'" + file.string() + "' can't be preloaded, expected a path without spaces and colons");
-  }
-  return file.string();
+  return file;
 }
 }
 

@@ -117,5 +117,5 @@ void DrawChart(
   const int back = 0;
   window->GetPixelData(0, 0, ChartSize[0] - 1, ChartSize[1] - 1, back, pixels);
   Messages::Get()->ThrowError("the chart can't be drawn");
-  Picture(ChartSize[0], ChartSize[1], 3, pixels->GetPointer(0)).Write(file, name);
+  NewPicture(ChartSize[0], ChartSize[1], 3, pixels->GetPointer(0))->Write(file, name);
 }

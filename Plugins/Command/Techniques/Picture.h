@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Pictures: written and compared by OpenImageIO.
+ * Pictures: written and compared by OpenImageIO, in a library of its own that is loaded with the first picture. What
+ * OpenImageIO brings along, some 200 libraries on Debian, takes five times as long to load as all else that the command
+ * needs to start.
  */
 #ifndef Picture_h
 #define Picture_h
 
-#include <OpenImageIO/imagebuf.h>
-
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -23,22 +24,24 @@ struct Difference
 class Picture
 {
 public:
-  /// From rows of 8-bit RGB, or RGBA with colours multiplied by their opacity, the lowest first, as OpenGL gives them.
-  Picture(int width, int height, int channels, const unsigned char* pixels);
+  virtual ~Picture() = default;
 
   /// Writes .png, .jpg, .tif with 8 bits a channel, and .exr as linear light in 32-bit floats. Throws Failure; name is
   /// what to call the file in it.
   void Write(const std::filesystem::path& file, const std::string& name) const;
 
-  Difference CompareTo(const Picture& reference) const;
+  virtual Difference CompareTo(const Picture& reference) const = 0;
 
   /// |this - other| * factor, clamped, of the colours.
-  Picture AbsoluteDifference(const Picture& other, float factor) const;
+  virtual std::unique_ptr<Picture> AbsoluteDifference(const Picture& other, float factor) const = 0;
 
-private:
-  explicit Picture(const OIIO::ImageBuf& pixels);
-  OIIO::ImageBuf Pixels;
+protected:
+  virtual void Write(const std::filesystem::path& file, const std::string& name, bool linear) const = 0;
 };
+
+/// From rows of 8-bit RGB, or RGBA with colours multiplied by their opacity, the lowest first, as OpenGL gives them.
+/// Throws Failure.
+std::unique_ptr<Picture> NewPicture(int width, int height, int channels, const unsigned char* pixels);
 
 /// Throws Failure unless pictures of the file's suffix can be written.
 void CheckPictureSuffix(const std::filesystem::path& file);

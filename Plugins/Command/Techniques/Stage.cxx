@@ -308,7 +308,7 @@ std::optional<StorageCounts> Stage::CountStorage(int technique)
 }
 
 //------------------------------------------------------------------------------
-Picture Stage::Read()
+std::unique_ptr<Picture> Stage::Read()
 {
   const int* size = this->Window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -322,7 +322,7 @@ Picture Stage::Read()
     this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, back, pixels);
   }
   Messages::Get()->ThrowError("the picture can't be read back");
-  return Picture(size[0], size[1], this->Transparent ? 4 : 3, pixels->GetPointer(0));
+  return NewPicture(size[0], size[1], this->Transparent ? 4 : 3, pixels->GetPointer(0));
 }
 
 //------------------------------------------------------------------------------

@@ -101,7 +101,7 @@ public:
   std::optional<StorageCounts> CountStorage(int technique);
 
   /// The frame drawn last.
-  Picture Read();
+  std::unique_ptr<Picture> Read();
 
   /// The driver's words for itself.
   std::string GetDriver();
