@@ -382,7 +382,7 @@ TEST_P(TestCorrectedPictures, AreNearToExact)
   double squares[3][2] = {};
   for (const std::string colors : { "random", "falling", "alike" })
   {
-    AnalyticScene scene = RandomMosaic(120, 100, 14, bound.Fragments, bound.LeastAlpha, bound.MostAlpha);
+    AnalyticScene scene = RandomMosaic(120, 100, 14, bound.Fragments, bound.LeastAlpha, bound.MostAlpha).Shrunk(5);
     for (Layer& layer : scene.Translucent)
     {
       for (Rectangle& rectangle : layer)
