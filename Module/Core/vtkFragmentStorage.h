@@ -146,7 +146,7 @@ public:
   {
     None = 0,
     Made = 1,  // the next shader changes the order, for the first time
-    Mixed = 2, // it has been changed, of some
+    Mixed = 2, // it has been changed, of some, or there are several samples, for which one shader is to do
   };
 
   /// Before a shader that changes the order of fragments (Shaders/Storage/SortList.glsl): false if there is no memory

@@ -22,6 +22,8 @@
 #include <iterator>
 #include <random>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -297,15 +299,23 @@ AnalyticScene AnalyticScene::Reversed() const
 AnalyticScene AnalyticScene::Shrunk(int factor) const
 {
   AnalyticScene scene = *this;
-  const auto shrink = [factor](Rectangle& rectangle)
+  const auto divide = [factor](int& length)
+  {
+    if (length % factor != 0)
+    {
+      throw std::invalid_argument(std::to_string(length) + " is no multiple of " + std::to_string(factor));
+    }
+    length /= factor;
+  };
+  const auto shrink = [&divide](Rectangle& rectangle)
   {
     for (int* edge : { &rectangle.Left, &rectangle.Bottom, &rectangle.Right, &rectangle.Top })
     {
-      *edge /= factor;
+      divide(*edge);
     }
   };
-  scene.Width /= factor;
-  scene.Height /= factor;
+  divide(scene.Width);
+  divide(scene.Height);
   std::for_each(scene.Opaque.begin(), scene.Opaque.end(), shrink);
   for (Layer& layer : scene.Translucent)
   {
