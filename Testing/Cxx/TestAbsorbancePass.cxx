@@ -146,7 +146,7 @@ constexpr double Bound = 2;
 TEST_P(TestAbsorbancePass, IsAsComputed)
 {
   for (const AnalyticScene& scene :
-    { RandomLayers(200, 150, 11, 3, 0.2, 0.8).Shrunk(5), RandomLayers(100, 80, 12, 30, 0.02, 0.8).Shrunk(5),
+    { RandomLayers(200, 160, 11, 3, 0.2, 0.8).Shrunk(5), RandomLayers(100, 80, 12, 30, 0.02, 0.8).Shrunk(5),
       RandomLayers(80, 60, 13, 70, 0.02, 0.3).Shrunk(5), RandomMosaic(100, 80, 14, 20, 0.02, 0.6).Shrunk(5) })
   {
     const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(this->GetCompositor(scene)));
@@ -158,7 +158,7 @@ TEST_P(TestAbsorbancePass, IsAsComputed)
 // Black in front of white: only the total transmittance is seen.
 TEST_P(TestAbsorbancePass, LetsThroughExactlyWhatIsLetThrough)
 {
-  AnalyticScene scene = RandomLayers(200, 150, 15, 25, 0.02, 0.4).Shrunk(5);
+  AnalyticScene scene = RandomLayers(200, 160, 15, 25, 0.02, 0.4).Shrunk(5);
   scene.Background = { { 1, 1, 1 } };
   scene.Opaque.clear();
   for (Layer& layer : scene.Translucent)

@@ -140,10 +140,10 @@ struct Scene
 // Not deeper: half floats in the layers are rounded with each merging.
 std::vector<Scene> Scenes()
 {
-  return { { "Layers3", [] { return RandomLayers(100, 75, 1, 3, 0.2, 0.8).Shrunk(5); } },
-    { "Layers30", [] { return RandomLayers(100, 75, 2, 30, 0.02, 0.8).Shrunk(5); } },
-    { "Layers300", [] { return RandomLayers(60, 45, 3, 300, 0.02, 0.3).Shrunk(5); } },
-    { "Mosaic64", [] { return RandomMosaic(100, 75, 6, 64, 0.02, 0.3).Shrunk(5); } } };
+  return { { "Layers3", [] { return RandomLayers(100, 80, 1, 3, 0.2, 0.8).Shrunk(5); } },
+    { "Layers30", [] { return RandomLayers(100, 80, 2, 30, 0.02, 0.8).Shrunk(5); } },
+    { "Layers300", [] { return RandomLayers(60, 40, 3, 300, 0.02, 0.3).Shrunk(5); } },
+    { "Mosaic64", [] { return RandomMosaic(100, 80, 6, 64, 0.02, 0.3).Shrunk(5); } } };
 }
 
 constexpr double Bound = 2; // of 255: the framebuffer rounds three times, and fragments or layers are rounded, too
@@ -203,7 +203,7 @@ using TestAnyOrder = TestTechniques;
 
 TEST_P(TestAnyOrder, GivesTheSamePicture)
 {
-  const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8).Shrunk(5);
+  const AnalyticScene scene = RandomLayers(200, 160, 2, 30, 0.02, 0.8).Shrunk(5);
   const auto pass = New(GetParam());
   const PictureDifference difference = Compare(Draw(scene, pass), Draw(scene.Reversed(), pass));
   EXPECT_LE(difference.Largest, 1) << difference; // sums are rounded in another order
@@ -217,7 +217,7 @@ using TestSpinLock = TestTechniques;
 
 TEST_P(TestSpinLock, GivesTheSamePictureAsWithout)
 {
-  const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8).Shrunk(5);
+  const AnalyticScene scene = RandomLayers(200, 160, 2, 30, 0.02, 0.8).Shrunk(5);
   for (int samples : { 0, 4 })
   {
     View view(scene, samples);

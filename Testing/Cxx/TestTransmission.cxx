@@ -124,11 +124,11 @@ struct Scene
 // Deep enough for each way in which lists are resolved.
 std::vector<Scene> Scenes()
 {
-  return { { "Layers3", RandomLayers(100, 75, 1, 3, 0.2, 0.8).Shrunk(5).Transmitting(11) },
-    { "Layers30", RandomLayers(100, 75, 2, 30, 0.02, 0.8).Shrunk(5).Transmitting(12) },
-    { "Layers120", RandomLayers(60, 45, 3, 120, 0.02, 0.3).Shrunk(5).Transmitting(13) },
-    { "Layers400", RandomLayers(40, 30, 4, 400, 0.02, 0.1).Shrunk(5).Transmitting(14) },
-    { "Mosaic64", RandomMosaic(100, 75, 6, 64, 0.02, 0.3).Shrunk(5).Transmitting(15) } };
+  return { { "Layers3", RandomLayers(100, 80, 1, 3, 0.2, 0.8).Shrunk(5).Transmitting(11) },
+    { "Layers30", RandomLayers(100, 80, 2, 30, 0.02, 0.8).Shrunk(5).Transmitting(12) },
+    { "Layers120", RandomLayers(60, 40, 3, 120, 0.02, 0.3).Shrunk(5).Transmitting(13) },
+    { "Layers400", RandomLayers(40, 40, 4, 400, 0.02, 0.1).Shrunk(5).Transmitting(14) },
+    { "Mosaic64", RandomMosaic(100, 80, 6, 64, 0.02, 0.3).Shrunk(5).Transmitting(15) } };
 }
 
 struct ColoredNode
