@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 
 from checks import fails, png_size, read_page, run, succeeds, warns, writes_picture
@@ -100,6 +101,17 @@ def same_twice(command, folder):
     for name in ["a.png", "b.png"]:
         succeeds(command, folder, ["render", "ok.mhd", "ok.vtp", *SMALL, "--technique", "exact", "-o", name])
     assert (folder / "a.png").read_bytes() == (folder / "b.png").read_bytes()
+
+
+def fails_alone(arguments, expected):
+    """The command without the installation that it is a part of."""
+
+    def case(command, folder):
+        (folder / "bin").mkdir()
+        alone = shutil.copy(command, folder / "bin")
+        fails(arguments, expected)(alone, folder)
+
+    return case
 
 
 def limit_changes_nothing(command, folder):
@@ -473,6 +485,8 @@ CASES = {
 # What the command has to refuse. What stands behind the name: the arguments, and what the one line has to say.
 
 CASES.update({
+    "BadPictureLibrary": fails_alone(render("ok.vtp"), r"libvtkTranslucencyPictures\.so' is not there, expected the library that pictures are written with"),
+    "BadPreloadLibrary": fails_alone(["run", "--", "true"], r"libvtkTranslucencyPreload\.so' is not there, expected the library that programs are run with"),
     "BadFileMissing": fails(render("gone.vtp"), r"gone\.vtp: there is no such file"),
     "BadFileFolder": fails(render("folder.vtp"), r"folder\.vtp: is not a file"),
     "BadFileSuffix": fails(render("scene.json"), r"scene\.json: has the suffix '\.json', expected one of \.vtp"),

@@ -272,8 +272,6 @@ void AddBall(vtkRenderer* renderer, bool impostors, double x, double y, double z
   ball->GetProperty()->SetOpacity(0.5);
   if (impostors)
   {
-    sphere->SetThetaResolution(5); // few of them meet in a pixel
-    sphere->SetPhiResolution(4);
     ball->GetProperty()->SetRepresentationToPoints();
     ball->GetProperty()->SetRenderPointsAsSpheres(true);
     ball->GetProperty()->SetPointSize(20);

@@ -203,7 +203,7 @@ using TestAnyOrder = TestTechniques;
 
 TEST_P(TestAnyOrder, GivesTheSamePicture)
 {
-  const AnalyticScene scene = RandomLayers(200, 160, 2, 30, 0.02, 0.8).Shrunk(5);
+  const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8);
   const auto pass = New(GetParam());
   const PictureDifference difference = Compare(Draw(scene, pass), Draw(scene.Reversed(), pass));
   EXPECT_LE(difference.Largest, 1) << difference; // sums are rounded in another order
@@ -217,7 +217,7 @@ using TestSpinLock = TestTechniques;
 
 TEST_P(TestSpinLock, GivesTheSamePictureAsWithout)
 {
-  const AnalyticScene scene = RandomLayers(200, 160, 2, 30, 0.02, 0.8).Shrunk(5);
+  const AnalyticScene scene = RandomLayers(200, 150, 2, 30, 0.02, 0.8);
   for (int samples : { 0, 4 })
   {
     View view(scene, samples);

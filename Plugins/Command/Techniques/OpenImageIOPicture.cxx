@@ -40,19 +40,6 @@ public:
     Check(this->Pixels);
   }
 
-protected:
-  void Write(const std::filesystem::path& file, const std::string& name, bool linear) const override
-  {
-    OIIO::ImageBuf out = linear ? ToLinearLight(this->Pixels) : this->Pixels;
-    out.specmod().attribute("CompressionQuality", 95);    // JPEG
-    out.specmod().attribute("jpeg:subsampling", "4:4:4"); // thin lines keep their colour
-    out.specmod().attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-    if (!out.write(file.string()))
-    {
-      throw Failure("'" + name + "' can't be written: " + out.geterror());
-    }
-  }
-
   Difference CompareTo(const Picture& reference) const override
   {
     const auto result = OIIO::ImageBufAlgo::compare(this->Pixels, PixelsOf(reference), 0, 0);
@@ -76,6 +63,19 @@ protected:
     const auto difference =
       OIIO::ImageBufAlgo::channels(OIIO::ImageBufAlgo::absdiff(this->Pixels, PixelsOf(other)), 3, colors);
     return std::make_unique<OpenImageIOPicture>(OIIO::ImageBufAlgo::mul(difference, factor));
+  }
+
+protected:
+  void Write(const std::filesystem::path& file, const std::string& name, bool linear) const override
+  {
+    OIIO::ImageBuf out = linear ? ToLinearLight(this->Pixels) : this->Pixels;
+    out.specmod().attribute("CompressionQuality", 95);    // JPEG
+    out.specmod().attribute("jpeg:subsampling", "4:4:4"); // thin lines keep their colour
+    out.specmod().attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    if (!out.write(file.string()))
+    {
+      throw Failure("'" + name + "' can't be written: " + out.geterror());
+    }
   }
 
 private:
