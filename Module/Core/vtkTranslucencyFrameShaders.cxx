@@ -238,24 +238,20 @@ vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareProgram(
   const std::string key =
     vtkTranslucencyPrograms::GetKey(file, defines, offered) + vtkTranslucencyPrograms::GetKey("", selection);
   this->Error = "shader " + file + " does not link";
-  return this->Resources.Programs.Ready(this->Window, key,
+  vtkTranslucencyShader fragment;
+  vtkTranslucencyShader vertex;
+  const auto check = [&](bool good) { return good || this->Fail(fragment.GetError() + vertex.GetError()); };
+  return this->Resources.Programs.Ready(
+    this->Window, key,
     [&](vtkTranslucencyPrograms::Source& source)
     {
-      vtkTranslucencyShader fragment;
-      vtkTranslucencyShader vertex;
-      for (bool ready :
-        { fragment.Assemble(file, defines, offered, selection), vertex.Assemble(vertexFile, {}, offered, selection),
-          fragment.Validate(""), vertex.Validate("", vtkShader::Vertex) })
-      {
-        if (!ready)
-        {
-          return this->Fail(fragment.GetError() + vertex.GetError());
-        }
-      }
       const std::string head = Version + std::string(vtkTranslucencyShader::GetExtensions());
+      const bool ready = check(
+        fragment.Assemble(file, defines, offered, selection) && vertex.Assemble(vertexFile, {}, offered, selection));
       source = { head + vertex.GetText(), head + fragment.GetText() };
-      return true;
-    });
+      return ready;
+    },
+    [&] { return check(fragment.Validate("") && vertex.Validate("", vtkShader::Vertex)); });
 }
 
 //------------------------------------------------------------------------------
@@ -264,7 +260,8 @@ vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareHandOver()
   vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
   const std::string file = "Common/HandOver.glsl";
   this->Error = "shader " + file + " does not link";
-  return this->Resources.Programs.Ready(this->Window, file + mappers->GetKey(),
+  return this->Resources.Programs.Ready(
+    this->Window, file + mappers->GetKey(),
     [&](vtkTranslucencyPrograms::Source& source)
     {
       vtkTranslucencyShader fragment;
@@ -276,6 +273,7 @@ vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareHandOver()
       }
       source = { Version + vertex.GetText(), Version + fragment.GetText() };
       return mappers->Insert(source.Fragment, file);
-    });
+    },
+    [] { return true; });
 }
 VTK_ABI_NAMESPACE_END

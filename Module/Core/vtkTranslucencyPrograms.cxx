@@ -9,8 +9,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkTranslucencyPrograms::Ready(
-  vtkOpenGLRenderWindow* window, const std::string& key, const std::function<bool(Source& source)>& assemble)
+vtkShaderProgram* vtkTranslucencyPrograms::Ready(vtkOpenGLRenderWindow* window, const std::string& key,
+  const std::function<bool(Source& source)>& assemble, const std::function<bool()>& validate)
 {
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   const auto found = this->Programs.find(key);
@@ -19,8 +19,20 @@ vtkShaderProgram* vtkTranslucencyPrograms::Ready(
     return cache->ReadyShaderProgram(found->second);
   }
   Source source;
-  vtkShaderProgram* program =
-    assemble(source) ? cache->ReadyShaderProgram(source.Vertex.c_str(), source.Fragment.c_str(), "") : nullptr;
+  if (!assemble(source))
+  {
+    return nullptr;
+  }
+  const auto make = [&] { return cache->ReadyShaderProgram(source.Vertex.c_str(), source.Fragment.c_str(), ""); };
+  // With a message VTK prints all of the text. Compiling each shader beforehand, to know better, doubled the time.
+  const int shown = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  vtkShaderProgram* program = make();
+  vtkObject::SetGlobalWarningDisplay(shown);
+  if (!program && validate())
+  {
+    program = make();
+  }
   if (program)
   {
     this->Programs[key] = program;

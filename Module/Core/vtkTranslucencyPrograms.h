@@ -31,10 +31,11 @@ public:
     std::string Fragment;
   };
 
-  /// Makes the program of a key ready. The first time it is made from what a function assembles; null if that is false
-  /// or does not link.
-  vtkShaderProgram* Ready(
-    vtkOpenGLRenderWindow* window, const std::string& key, const std::function<bool(Source& source)>& assemble);
+  /// Makes the program of a key ready. The first time it is made from what assemble gives; null if that is false, or
+  /// the driver refuses it. Then validate is called, which says what it has against a shader; where it is true, nothing
+  /// against either of them, VTK says why they don't link.
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& key,
+    const std::function<bool(Source& source)>& assemble, const std::function<bool()>& validate);
 
   /// What a shader is made from, as one string.
   static std::string GetKey(const std::string& name, const vtkTranslucencyShader::Defines& defines,

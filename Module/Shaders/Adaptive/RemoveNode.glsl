@@ -78,61 +78,54 @@ struct Removal
   float area;
 #endif
   int depth;
-#if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
   int transmittance;
-#endif
 };
 
-#if ESTIMATE_ERROR
-#define KEEP_AREA(less, step, width) least.area = (less) ? (step) * (width) : least.area;
-#else
-#define KEEP_AREA(less, step, width)
-#endif
-
-void considerNode(INOUT(Visibility) v, INOUT(Removal) least, float wider, int k)
+// Takes a removal if it loses less. It is given what it needs: of a whole function each call would have a copy, which
+// took compilers seconds for 64 nodes.
+void considerRemoval(INOUT(Removal) least, int depth, int transmittance, float step, float width, float wider)
 {
-  float step = meanOf(v.t[k - 1] - v.t[k]);
-  float nearer = v.z[k] - v.z[k - 1];
-  v.narrowest = min(v.narrowest, nearer);
-#if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
-  float under = REMOVAL_LOSS(step, nearer + wider);
-  least.depth = under < least.loss ? k : least.depth;
-#if NODE_REMOVAL == NODE_REMOVAL_MIXED
-  least.transmittance = under < least.loss ? k - 1 : least.transmittance;
+  float loss = REMOVAL_LOSS(step, width + wider);
+  bool less = loss < least.loss;
+  least.depth = less ? depth : least.depth;
+  least.transmittance = less ? transmittance : least.transmittance;
+#if ESTIMATE_ERROR
+  least.area = less ? step * width : least.area;
 #endif
-  KEEP_AREA(under < least.loss, step, nearer)
-  least.loss = min(under, least.loss);
-#endif
-#if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
-  if (k < NODE_COUNT)
-  {
-    float farther = v.z[min(k + 1, NODE_COUNT)] - v.z[k];
-    float over = REMOVAL_LOSS(step, farther + wider);
-    least.depth = over < least.loss ? k : least.depth;
-    least.transmittance = over < least.loss ? k : least.transmittance;
-    KEEP_AREA(over < least.loss, step, farther)
-    least.loss = min(over, least.loss);
-  }
-#endif
+  least.loss = min(loss, least.loss);
 }
 
 void removeNode(INOUT(Visibility) v)
 {
   Removal least;
   least.depth = 0;
+  least.transmittance = 0;
   least.loss = 1e30f;
 #if ESTIMATE_ERROR
   least.area = 0.0f;
 #endif
   float wider = REMOVAL_WIDER * (v.z[NODE_COUNT] - v.z[0]);
+  float step;
 #if NODE_REMOVAL != NODE_REMOVAL_UNDERESTIMATE
-  float step = 1.0f - meanOf(v.t[0]);
-  float farther = v.z[1] - v.z[0];
-  least.transmittance = 0;
-  least.loss = REMOVAL_LOSS(step, farther + wider);
-  KEEP_AREA(true, step, farther)
+  considerRemoval(least, 0, 0, 1.0f - meanOf(v.t[0]), v.z[1] - v.z[0], wider);
+#define CONSIDER_FARTHER(k) \
+  if ((k) < NODE_COUNT) \
+  { \
+    considerRemoval(least, (k), (k), step, v.z[min((k) + 1, NODE_COUNT)] - v.z[k], wider); \
+  }
+#else
+#define CONSIDER_FARTHER(k)
 #endif
-#define FIND_LEAST(i) considerNode(v, least, wider, (i) + 1);
+#if NODE_REMOVAL != NODE_REMOVAL_OVERESTIMATE
+#define CONSIDER_NEARER(k) considerRemoval(least, (k), (k)-1, step, v.z[k] - v.z[(k)-1], wider);
+#else
+#define CONSIDER_NEARER(k)
+#endif
+#define FIND_LEAST(i) \
+  v.narrowest = min(v.narrowest, v.z[(i) + 1] - v.z[i]); \
+  step = meanOf(v.t[i] - v.t[(i) + 1]); \
+  CONSIDER_NEARER((i) + 1) \
+  CONSIDER_FARTHER((i) + 1)
   EACH_NODE(FIND_LEAST)
 #if ESTIMATE_ERROR
   v.lost += least.area;
