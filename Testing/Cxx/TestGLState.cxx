@@ -187,15 +187,15 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFound)
     choices.emplace_back(); // all defaults
     if (name == "auto")
     {
-      choices.emplace_back("budget_mebibytes", "0.4"); // by another technique from the second frame on
+      choices.emplace_back("budget_mebibytes", "0.1"); // by another technique from the second frame on
     }
     for (const auto& [keyword, choice] : choices)
     {
       for (int samples : { 0, 4 })
       {
         SCOPED_TRACE(name + " " + keyword + "=" + choice + ", samples " + std::to_string(samples));
-        View view(RandomLayers(100, 80, 32, 6, 0.1, 0.5), samples);
-        AddBall(view.Renderer, true, 50, 40, 0);
+        View view(RandomLayers(50, 40, 32, 6, 0.1, 0.5), samples);
+        AddBall(view.Renderer, true, 25, 20, 0);
         vtkNew<WatchedPass> watched;
         watched->Pass = NewPass(name);
         EXPECT_TRUE(keyword.empty() || watched->Pass->SetOption(keyword, choice));
@@ -219,7 +219,7 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWithTransmissionColors)
       if (watched->Pass)
       {
         SCOPED_TRACE(name + ", samples " + std::to_string(samples));
-        View view(RandomLayers(100, 80, 32, 6, 0.1, 0.5).Transmitting(33), samples);
+        View view(RandomLayers(50, 40, 32, 6, 0.1, 0.5).Transmitting(33), samples);
         view.SetTranslucentPass(watched);
         ExpectNothingChanges(view, watched, false);
         EXPECT_EQ(TakeMessages().empty(), watched->Pass->KeepsTransmissionColors());

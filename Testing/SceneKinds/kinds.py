@@ -61,7 +61,7 @@ class Stage:
         return prop
 
     def companions(self, renderer=None):
-        ball = surface(vtk.vtkSphereSource(), ThetaResolution=48, PhiResolution=48, Radius=0.55, Center=(0.35, 0.2, 0.25))
+        ball = surface(vtk.vtkSphereSource(), ThetaResolution=24, PhiResolution=24, Radius=0.55, Center=(0.35, 0.2, 0.25))
         look(ball, (0.9, 0.5, 0.1), 0.45)
         self.add(ball, renderer)
         box = surface(vtk.vtkCubeSource(), XLength=0.5, YLength=0.7, ZLength=0.4, Center=(-0.45, -0.35, 0))
@@ -91,7 +91,7 @@ def look(actor, color, opacity):
     return actor
 
 
-def sphere(opacity=0.5, color=(0.3, 0.4, 0.9), center=(0, 0, 0), radius=0.7, resolution=40):
+def sphere(opacity=0.5, color=(0.3, 0.4, 0.9), center=(0, 0, 0), radius=0.7, resolution=24):
     return look(surface(vtk.vtkSphereSource(), ThetaResolution=resolution, PhiResolution=resolution, Radius=radius,
                         Center=center), color, opacity)
 
