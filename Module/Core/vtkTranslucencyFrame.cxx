@@ -41,7 +41,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslu
   , Window(window)
   , Shaders(new vtkTranslucencyFrameShaders(resources, window, pass->GetCriticalSection()))
   , Geometry(new vtkTranslucencyGeometry(pass, resources, state, window, *this->Shaders))
-  , Resolver(new vtkTranslucencyResolver(resources, window, *this->Geometry))
+  , Resolver(new vtkTranslucencyResolver(resources, window, *this->Geometry, *this->Shaders))
   , Records(new vtkTranslucencyRecords(resources.Capabilities, resources.Tiles, *this->Shaders))
 {
   this->Tiles.BeginFrame(vtkTranslucencyTiles::Intersect(found.GetViewport(), found.GetScissor()));
@@ -460,10 +460,10 @@ vtkShaderProgram* vtkTranslucencyFrame::PrepareProgram(
 bool vtkTranslucencyFrame::Resolve(
   const std::string& file, const Defines& defines, const Squares& squares, const Uniforms& uniforms)
 {
-  vtkShaderProgram* program = this->PrepareProgram("Common/ResolveSquares.glsl", file, defines);
+  vtkShaderProgram* program = this->Resolver->Prepare(file, defines, squares.Level);
   if (!program)
   {
-    return false;
+    return this->Fail(this->Shaders->GetError());
   }
   const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), this->Resources.ResolveTime);
   this->UseTile();

@@ -7,6 +7,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyQuery.h"
 #include "vtkTranslucencyResources.h"
+#include "vtkTranslucencySamplers.h"
 #include "vtkTranslucencyScopedTextures.h"
 #include "vtkTranslucencyScopedTimer.h"
 #include "vtkTranslucencyVTKVersion.h"
@@ -89,6 +90,10 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
   vtkTranslucencyResources& kept = this->Resources;
   vtkTranslucencyMapperHook::Drawing& drawing = kept.Mappers->GetDrawing();
   const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), kept.GatherTime);
+  if (!this->Settled)
+  {
+    this->Settled = vtkTranslucencySamplers::Settle(kept, this->Window, this->Shaders);
+  }
   this->Prepare(stage, colors);
   drawing.WritesDepth = stage.HidesBehind;
   drawing.KeepBlending = [this, &stage, colors]

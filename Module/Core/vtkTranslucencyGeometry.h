@@ -51,6 +51,7 @@ private:
   const vtkRenderState* State;
   vtkOpenGLRenderWindow* Window;
   vtkTranslucencyFrameShaders& Shaders;
+  bool Settled = false; // the samplers, in this frame
 };
 VTK_ABI_NAMESPACE_END
 

@@ -4,9 +4,11 @@
 
 #include "Common/Bindings.glsl"
 #include "vtkFragmentStorage.h"
+#include "vtkTranslucencyFrameShaders.h"
 #include "vtkTranslucencyGeometry.h"
 #include "vtkTranslucencyQuery.h"
 #include "vtkTranslucencyResources.h"
+#include "vtkTranslucencySamplers.h"
 #include "vtkTranslucencyScopedTextures.h"
 #include "vtkTranslucencyVTKVersion.h"
 
@@ -42,11 +44,12 @@ private:
 }
 
 //------------------------------------------------------------------------------
-vtkTranslucencyResolver::vtkTranslucencyResolver(
-  vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window, vtkTranslucencyGeometry& geometry)
+vtkTranslucencyResolver::vtkTranslucencyResolver(vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window,
+  vtkTranslucencyGeometry& geometry, vtkTranslucencyFrameShaders& shaders)
   : Resources(resources)
   , Window(window)
   , Geometry(geometry)
+  , Shaders(shaders)
 {
 }
 
@@ -74,6 +77,15 @@ bool vtkTranslucencyResolver::ReserveSampleColors(int samples, int channels)
   }
   colors.BindStorage(STORAGE_BINDING_SAMPLES);
   return true;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTranslucencyResolver::Prepare(
+  const std::string& file, const vtkTranslucencyFrame::Defines& defines, int level)
+{
+  const bool settled = level > 0 || this->Sample != vtkTranslucencyFrame::WholePixel ||
+    vtkTranslucencySamplers::Settle(this->Resources, this->Window, this->Shaders);
+  return settled ? this->Shaders.PrepareProgram("Common/ResolveSquares.glsl", file, defines) : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -17,8 +17,8 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyResolver
 {
 public:
-  vtkTranslucencyResolver(
-    vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window, vtkTranslucencyGeometry& geometry);
+  vtkTranslucencyResolver(vtkTranslucencyResources& resources, vtkOpenGLRenderWindow* window,
+    vtkTranslucencyGeometry& geometry, vtkTranslucencyFrameShaders& shaders);
 
   /// What vtkTranslucencyFrame::SetSample says.
   void SetSample(int sample, int among);
@@ -26,6 +26,9 @@ public:
 
   /// Makes room for the colours of the tile's samples. False if there is no memory for it.
   bool ReserveSampleColors(int samples, int channels);
+
+  /// Makes the program of a resolve ready. Null if it does not compile: the shaders know why.
+  vtkShaderProgram* Prepare(const std::string& file, const vtkTranslucencyFrame::Defines& defines, int level);
 
   /// Draws the squares by a program that is ready, over what is there. The storage is null where fragments are not
   /// stored. Gives what is wrong, empty if nothing is.
@@ -40,6 +43,7 @@ private:
   vtkTranslucencyResources& Resources;
   vtkOpenGLRenderWindow* Window;
   vtkTranslucencyGeometry& Geometry;
+  vtkTranslucencyFrameShaders& Shaders;
   int Sample = vtkTranslucencyFrame::WholePixel;
   int Among = -1;
 };
