@@ -40,7 +40,7 @@ Objects CountObjects(View& view)
 
 AnalyticScene Layers()
 {
-  return RandomLayers(200, 150, 81, 12, 0.1, 0.5);
+  return RandomLayers(100, 75, 81, 12, 0.1, 0.5);
 }
 
 struct Case
@@ -66,7 +66,7 @@ protected:
     explicit Watched(int samples)
       : Shown(Layers(), samples)
     {
-      AddBall(this->Shown.Renderer, true, 100, 75, -0.6); // for which the opaque depth is copied
+      AddBall(this->Shown.Renderer, true, 50, 37.5, -0.6); // for which the opaque depth is copied
       this->Shown.Render();
       this->Before = CountObjects(this->Shown);
     }
@@ -108,8 +108,10 @@ TEST_P(TestLifetime, FramesMakeNothingAnew)
   Watched watched(GetParam().Samples);
   View& view = watched.Shown;
   view.SetPass(GetParam().New());
-  view.Render();
-  view.Render(); // gives back what the first frame took too much
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    view.Render(); // gives back what the frame before took too much, of an M-buffer the second one, too
+  }
   Objects first = CountObjects(view);
   for (int frame = 0; frame < 5; ++frame)
   {
@@ -179,7 +181,7 @@ TEST_F(TestLifetimeOfChosen, EndsWithTheChoice)
     Watched watched(samples);
     View& view = watched.Shown;
     auto pass = vtkSmartPointer<vtkAutomaticTransparencyPass>::New();
-    pass->SetBudgetMebibytes(3);
+    pass->SetBudgetMebibytes(0.75);
     view.SetPass(pass);
     view.Render();
     const std::string first = pass->GetChosen();

@@ -451,23 +451,6 @@ private:
 };
 }
 
-TEST_F(TestStorageOrder, WhatDidNotFitIsDrawnOnce)
-{
-  View view(RandomLayers(120, 90, 68, 40, 0.02, 0.5));
-  for (const char* technique : { "exact", "adaptive", "fourier" })
-  {
-    for (const Storage& storage : Designs)
-    {
-      SCOPED_TRACE(technique + storage.Name);
-      const auto pass = New(storage, technique);
-      CellStorageOf(pass)->SetInitialFragments(120 * 90);
-      view.SetPass(pass);
-      const Picture first = view.Render();
-      EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
-    }
-  }
-}
-
 TEST_F(TestStorageOrder, OneWaitAFrameIsEnough)
 {
   View view(RandomLayers(400, 300, 67, 10, 0.02, 0.5));
@@ -493,6 +476,30 @@ TEST_F(TestStorageOrder, OneWaitAFrameIsEnough)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+class TestStorageRoom
+  : public RenderTest
+  , public testing::WithParamInterface<Storage>
+{
+};
+
+TEST_P(TestStorageRoom, WhatDidNotFitIsDrawnOnce)
+{
+  View view(RandomLayers(120, 90, 68, 40, 0.02, 0.5));
+  for (const char* technique : { "exact", "adaptive", "fourier" })
+  {
+    SCOPED_TRACE(technique);
+    const auto pass = New(GetParam(), technique);
+    CellStorageOf(pass)->SetInitialFragments(120 * 90);
+    view.SetPass(pass);
+    const Picture first = view.Render();
+    EXPECT_EQ(Compare(view.Render(), first).Largest, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Designs, TestStorageRoom, testing::ValuesIn(Designs), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 using TestStorageOfPoints = RenderTest;

@@ -107,6 +107,8 @@ void vtkDepthSlabsPass::ReleaseGraphicsResources(vtkWindow* window)
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Framebuffer = nullptr;
   }
+  this->OpaqueDepth->ReleaseGraphicsResources(window);
+  this->Hiding.reset();
   this->Quad.reset();
 }
 
@@ -146,9 +148,18 @@ void vtkDepthSlabsPass::Render(const vtkRenderState* s)
         props.push_back(one.Prop);
       }
     }
+    if (props.empty())
+    {
+      continue;
+    }
     vtkRenderState some(renderer);
     vtkTranslucencySetProps(some, props, s);
+    this->HideBehind(window, this->Slab[1]);
     this->Surfaces->Render(&some);
+    if (std::any_of(props.begin(), props.end(), [](vtkProp* prop) { return vtkVolume::SafeDownCast(prop) != nullptr; }))
+    {
+      this->HideBehind(window, 1); // a ray ends where something hides it
+    }
     this->Volumes->Render(&some);
   }
   this->NumberOfRenderedProps = this->Surfaces->GetNumberOfRenderedProps() + this->Volumes->GetNumberOfRenderedProps();
@@ -190,7 +201,13 @@ void vtkDepthSlabsPass::Begin(vtkOpenGLRenderWindow* window, const int area[4])
     this->State->PopFramebufferBindings();
   }
   this->Framebuffer->Resize(area[2], area[3]);
-  this->Framebuffer->GetDepthAttachmentAsTextureObject()->CopyFromFrameBuffer(area[0], area[1], 0, 0, area[2], area[3]);
+  if (this->OpaqueDepth->GetWidth() != static_cast<unsigned int>(area[2]) ||
+    this->OpaqueDepth->GetHeight() != static_cast<unsigned int>(area[3]))
+  {
+    this->OpaqueDepth->SetContext(window);
+    this->OpaqueDepth->AllocateDepth(area[2], area[3], vtkTextureObject::Float32);
+  }
+  this->OpaqueDepth->CopyFromFrameBuffer(area[0], area[1], 0, 0, area[2], area[3]);
   this->State->PushFramebufferBindings();
   this->Framebuffer->Bind();
   this->State->vtkglViewport(0, 0, area[2], area[3]);
@@ -199,6 +216,38 @@ void vtkDepthSlabsPass::Begin(vtkOpenGLRenderWindow* window, const int area[4])
   this->State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->State->vtkglClear(GL_COLOR_BUFFER_BIT);
   this->State->vtkglEnable(GL_BLEND);
+}
+
+//------------------------------------------------------------------------------
+// Gives the depth of what is opaque, or this one where it is nearer: what lies behind a slab fails the depth test,
+// which is half of all fragments, and would take the time of the shader that leaves it out.
+void vtkDepthSlabsPass::HideBehind(vtkOpenGLRenderWindow* window, float depth)
+{
+  const vtkOpenGLState::ScopedglEnableDisable test(this->State, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglDepthMask mask(this->State);
+  const vtkOpenGLState::ScopedglDepthFunc function(this->State);
+  const vtkOpenGLState::ScopedglColorMask colors(this->State);
+  this->State->vtkglEnable(GL_DEPTH_TEST);
+  this->State->vtkglDepthMask(GL_TRUE);
+  this->State->vtkglDepthFunc(GL_ALWAYS);
+  this->State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  if (!this->Hiding)
+  {
+    this->Hiding = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr,
+      "//VTK::System::Dec\n"
+      "//VTK::Output::Dec\n"
+      "in vec2 texCoord;\n"
+      "uniform sampler2D opaqueDepth;\n"
+      "uniform float hiding;\n"
+      "void main() { gl_FragDepth = min(texture2D(opaqueDepth, texCoord).r, hiding); }\n",
+      "");
+  }
+  window->GetShaderCache()->ReadyShaderProgram(this->Hiding->Program);
+  this->OpaqueDepth->Activate();
+  this->Hiding->Program->SetUniformi("opaqueDepth", this->OpaqueDepth->GetTextureUnit());
+  this->Hiding->Program->SetUniformf("hiding", depth);
+  this->Hiding->Render();
+  this->OpaqueDepth->Deactivate();
 }
 
 //------------------------------------------------------------------------------

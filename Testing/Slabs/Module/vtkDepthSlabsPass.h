@@ -35,6 +35,7 @@ class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
+class vtkTextureObject;
 class vtkTranslucentPass;
 class vtkVolumetricPass;
 
@@ -85,6 +86,7 @@ private:
 
   std::vector<double> GetBorders(vtkCamera* camera) const;
   void Begin(vtkOpenGLRenderWindow* window, const int area[4]);
+  void HideBehind(vtkOpenGLRenderWindow* window, float depth);
   void End(vtkOpenGLRenderWindow* window, const int area[4]);
 
   int NumberOfSlabs = 128;
@@ -96,6 +98,8 @@ private:
   vtkNew<vtkTranslucentPass> Surfaces;
   vtkNew<vtkVolumetricPass> Volumes;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkNew<vtkTextureObject> OpaqueDepth;
+  std::unique_ptr<vtkOpenGLQuadHelper> Hiding;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 
