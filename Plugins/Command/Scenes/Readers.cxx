@@ -4,6 +4,7 @@
 
 #include "Basics/Failure.h"
 #include "Basics/Messages.h"
+#include "Basics/Suffix.h"
 #include "ReadGuard.h"
 #include "Scene.h"
 
@@ -30,9 +31,7 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -126,9 +125,7 @@ const Format Formats[] = {
 
 const Format& FindFormat(const std::string& file)
 {
-  std::string suffix = std::filesystem::path(file).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-    [](unsigned char character) { return static_cast<char>(std::tolower(character)); });
+  const std::string suffix = SuffixOf(file);
   for (const Format& format : Formats)
   {
     if (suffix == format.Suffix)

@@ -4,6 +4,7 @@
 
 #include "Basics/Failure.h"
 #include "Basics/Libraries.h"
+#include "Basics/Suffix.h"
 
 #include <algorithm>
 
@@ -12,13 +13,6 @@
 namespace
 {
 const char* const Suffixes[] = { ".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg" };
-
-std::string LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char character) { return static_cast<char>(std::tolower(character)); });
-  return text;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -42,7 +36,7 @@ std::unique_ptr<Picture> NewPicture(int width, int height, int channels, const u
 //------------------------------------------------------------------------------
 void CheckPictureSuffix(const std::filesystem::path& file)
 {
-  const std::string suffix = LowerCase(file.extension().string());
+  const std::string suffix = SuffixOf(file);
   if (std::find(std::begin(Suffixes), std::end(Suffixes), suffix) == std::end(Suffixes))
   {
     throw Failure("'" + file.string() + "' has the suffix '" + suffix + "', expected one of " + PictureSuffixes());
@@ -52,7 +46,7 @@ void CheckPictureSuffix(const std::filesystem::path& file)
 //------------------------------------------------------------------------------
 void CheckHoldsTransparency(const std::filesystem::path& file)
 {
-  const std::string suffix = LowerCase(file.extension().string());
+  const std::string suffix = SuffixOf(file);
   if (suffix == ".jpg" || suffix == ".jpeg")
   {
     throw Failure("'" + file.string() + "' is to have a transparent background, which " + suffix +
@@ -63,7 +57,7 @@ void CheckHoldsTransparency(const std::filesystem::path& file)
 //------------------------------------------------------------------------------
 void Picture::Write(const std::filesystem::path& file, const std::string& name) const
 {
-  this->Write(file, name, LowerCase(file.extension().string()) == ".exr");
+  this->Write(file, name, SuffixOf(file) == ".exr");
 }
 
 //------------------------------------------------------------------------------
