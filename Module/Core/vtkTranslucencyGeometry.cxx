@@ -90,9 +90,11 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
   vtkTranslucencyResources& kept = this->Resources;
   vtkTranslucencyMapperHook::Drawing& drawing = kept.Mappers->GetDrawing();
   const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), kept.GatherTime);
+  this->Settled = this->Settled || vtkTranslucencySamplers::Settle(kept, this->Window, this->Shaders);
   if (!this->Settled)
   {
-    this->Settled = vtkTranslucencySamplers::Settle(kept, this->Window, this->Shaders);
+    kept.Mappers->SetError(this->Shaders.GetError());
+    return;
   }
   this->Prepare(stage, colors);
   drawing.WritesDepth = stage.HidesBehind;

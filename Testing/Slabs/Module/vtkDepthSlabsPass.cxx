@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkDepthSlabsPass);
@@ -69,6 +70,13 @@ std::vector<Placed> Place(const vtkRenderState* s, vtkCamera* camera)
     all.push_back(one);
   }
   return all;
+}
+
+// What covers the viewport, by a fragment shader's text that reads textures at texCoord.
+std::unique_ptr<vtkOpenGLQuadHelper> NewQuad(vtkOpenGLRenderWindow* window, const std::string& text)
+{
+  const std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\nin vec2 texCoord;\n" + text;
+  return std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragment.c_str(), "");
 }
 
 // The window depth of a distance along the view.
@@ -233,14 +241,10 @@ void vtkDepthSlabsPass::HideBehind(vtkOpenGLRenderWindow* window, float depth)
   this->State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   if (!this->Hiding)
   {
-    this->Hiding = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr,
-      "//VTK::System::Dec\n"
-      "//VTK::Output::Dec\n"
-      "in vec2 texCoord;\n"
+    this->Hiding = NewQuad(window,
       "uniform sampler2D opaqueDepth;\n"
       "uniform float hiding;\n"
-      "void main() { gl_FragDepth = min(texture2D(opaqueDepth, texCoord).r, hiding); }\n",
-      "");
+      "void main() { gl_FragDepth = min(texture2D(opaqueDepth, texCoord).r, hiding); }\n");
   }
   window->GetShaderCache()->ReadyShaderProgram(this->Hiding->Program);
   this->OpaqueDepth->Activate();
@@ -262,13 +266,9 @@ void vtkDepthSlabsPass::End(vtkOpenGLRenderWindow* window, const int area[4])
   this->State->vtkglDisable(GL_DEPTH_TEST);
   if (!this->Quad)
   {
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr,
-      "//VTK::System::Dec\n"
-      "//VTK::Output::Dec\n"
-      "in vec2 texCoord;\n"
+    this->Quad = NewQuad(window,
       "uniform sampler2D slabs;\n"
-      "void main() { gl_FragData[0] = texture2D(slabs, texCoord); }\n",
-      "");
+      "void main() { gl_FragData[0] = texture2D(slabs, texCoord); }\n");
   }
   window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
   vtkTextureObject* sums = this->Framebuffer->GetColorAttachmentAsTextureObject(0);
