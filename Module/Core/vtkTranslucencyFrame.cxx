@@ -215,7 +215,7 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
   vtkTranslucencyResources& kept = this->Resources;
   if (this->Storage != storage)
   {
-    const vtkTranslucencyScene scene(this->State, kept.Unreached);
+    const vtkTranslucencyScene scene(this->State, kept.Unreached, kept.Bounds);
     storage->BeginFrame(scene.GetBoxes(this->Picture), kept.Capabilities);
   }
   this->Storage = storage;
@@ -318,7 +318,7 @@ bool vtkTranslucencyFrame::UseTable(vtkTranslucencyBuffer& table, const std::vec
 //------------------------------------------------------------------------------
 std::vector<vtkProp*> vtkTranslucencyFrame::GetProps() const
 {
-  return vtkTranslucencyScene(this->State, this->Resources.Unreached).GetProps();
+  return vtkTranslucencyScene(this->State, this->Resources.Unreached, this->Resources.Bounds).GetProps();
 }
 
 //------------------------------------------------------------------------------
@@ -330,7 +330,7 @@ vtkRenderer* vtkTranslucencyFrame::GetRenderer() const
 //------------------------------------------------------------------------------
 std::array<double, 2> vtkTranslucencyFrame::GetDepthRange() const
 {
-  return vtkTranslucencyScene(this->State, this->Resources.Unreached).GetDepthRange();
+  return vtkTranslucencyScene(this->State, this->Resources.Unreached, this->Resources.Bounds).GetDepthRange();
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "vtkTranslucencyLayers.h"
 #include "vtkTranslucencyMapperHook.h"
 #include "vtkTranslucencyPrograms.h"
+#include "vtkTranslucencyPropBounds.h"
 #include "vtkTranslucencyResolveStatistics.h"
 #include "vtkTranslucencyStatistics.h"
 #include "vtkTranslucencyTiles.h"
@@ -36,6 +37,7 @@ struct vtkTranslucencyResources
   // Props that the text does not reach, and what takes their fragments one layer at a time.
   vtkTranslucencyUnreached Unreached{ { "gatherFragment(" } };
   vtkTranslucencyLayers Layers;
+  vtkTranslucencyPropBounds Bounds;
 
   vtkTranslucencyTiles Tiles;
   vtkTranslucencyPrograms Programs;

@@ -17,18 +17,14 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// The corners of a prop's box, which are none if it does not know it.
-std::vector<std::array<double, 4>> GetCorners(vtkProp* prop)
+using Bounds = vtkTranslucencyPropBounds::Bounds;
+
+std::array<std::array<double, 4>, 8> GetCorners(const Bounds& bounds)
 {
-  std::vector<std::array<double, 4>> corners;
-  const double* bounds = prop->GetBounds();
-  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
-  {
-    return corners;
-  }
+  std::array<std::array<double, 4>, 8> corners;
   for (int corner = 0; corner < 8; ++corner)
   {
-    corners.push_back({ { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1 } });
+    corners[corner] = { { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1 } };
   }
   return corners;
 }
@@ -50,6 +46,15 @@ std::vector<vtkProp*> vtkTranslucencyScene::GetProps() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<Bounds> vtkTranslucencyScene::GetBounds() const
+{
+  std::vector<vtkProp*> props = this->GetProps();
+  props.erase(
+    std::remove_if(props.begin(), props.end(), [](vtkProp* prop) { return !prop->GetVisibility(); }), props.end());
+  return this->Kept.Get(props);
+}
+
+//------------------------------------------------------------------------------
 std::array<double, 2> vtkTranslucencyScene::GetDepthRange() const
 {
   const std::array<double, 2> all{ { 0, 1 } };
@@ -58,18 +63,13 @@ std::array<double, 2> vtkTranslucencyScene::GetDepthRange() const
   vtkMatrix4x4* view = camera->GetModelViewTransformMatrix();
   double nearest = VTK_DOUBLE_MAX;
   double farthest = -VTK_DOUBLE_MAX;
-  for (vtkProp* prop : this->GetProps())
+  for (const Bounds& bounds : this->GetBounds())
   {
-    if (!prop->GetVisibility())
-    {
-      continue;
-    }
-    const auto corners = GetCorners(prop);
-    if (corners.empty())
+    if (!vtkMath::AreBoundsInitialized(bounds.data()))
     {
       return all;
     }
-    for (const auto& corner : corners)
+    for (const auto& corner : GetCorners(bounds))
     {
       const double distance = -view->MultiplyDoublePoint(corner.data())[2];
       nearest = std::min(nearest, distance);
@@ -94,16 +94,11 @@ std::vector<std::array<double, 4>> vtkTranslucencyScene::GetBoxes(const std::arr
   vtkMatrix4x4* projection =
     renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
   std::vector<std::array<double, 4>> boxes;
-  for (vtkProp* prop : this->GetProps())
+  for (const Bounds& bounds : this->GetBounds())
   {
-    if (!prop->GetVisibility())
-    {
-      continue;
-    }
     std::array<double, 4> box{ { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
-    const auto corners = GetCorners(prop);
-    bool isBefore = !corners.empty();
-    for (const auto& corner : corners)
+    bool isBefore = vtkMath::AreBoundsInitialized(bounds.data());
+    for (const auto& corner : GetCorners(bounds))
     {
       const double* at = projection->MultiplyDoublePoint(corner.data());
       isBefore = isBefore && at[3] > 0;

@@ -8,6 +8,7 @@
 #define vtkTranslucencyScene_h
 
 #include "vtkTranslucencyABINamespace.h"
+#include "vtkTranslucencyPropBounds.h"
 
 #include <array>
 #include <vector>
@@ -20,9 +21,11 @@ class vtkTranslucencyUnreached;
 class vtkTranslucencyScene
 {
 public:
-  vtkTranslucencyScene(const vtkRenderState* state, const vtkTranslucencyUnreached& unreached)
+  vtkTranslucencyScene(
+    const vtkRenderState* state, const vtkTranslucencyUnreached& unreached, vtkTranslucencyPropBounds& kept)
     : State(state)
     , Unreached(unreached)
+    , Kept(kept)
   {
   }
 
@@ -38,8 +41,12 @@ public:
   std::vector<std::array<double, 4>> GetBoxes(const std::array<int, 4>& viewport) const;
 
 private:
+  // Of visible props.
+  std::vector<vtkTranslucencyPropBounds::Bounds> GetBounds() const;
+
   const vtkRenderState* State;
   const vtkTranslucencyUnreached& Unreached;
+  vtkTranslucencyPropBounds& Kept;
 };
 VTK_ABI_NAMESPACE_END
 
