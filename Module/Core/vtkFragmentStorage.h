@@ -93,6 +93,9 @@ public:
   /// What shaders that store or read fragments need defined.
   virtual std::map<std::string, std::string> GetDefines() const;
 
+  /// What those that store need defined besides: all others are the same programs whatever it is.
+  virtual std::map<std::string, std::string> GetStoringDefines() const { return {}; }
+
   /// Empty if the storage can serve a viewport of this size under the limit, else why not.
   virtual std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const = 0;
 

@@ -172,6 +172,7 @@ bool vtkTranslucencyFrameShaders::PrepareStoring()
   vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
   const std::string mean = this->GetMeanText();
   Defines offered = this->GetOfferedDefines();
+  offered.merge(this->Current.Storage->GetStoringDefines());
   const std::string key = vtkTranslucencyPrograms::GetKey(this->Current.Storage->GetShaderName(), {}, offered) + mean;
   if (key == mappers->GetKey())
   {

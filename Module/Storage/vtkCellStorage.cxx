@@ -141,9 +141,14 @@ std::string vtkCellStorage::GetShaderName() const
 std::map<std::string, std::string> vtkCellStorage::GetDefines() const
 {
   std::map<std::string, std::string> defines = this->Superclass::GetDefines();
-  defines["COUNT_ACCESSES"] = this->CountAccesses ? "1" : "0";
   defines["UNITS_ARE_FRAGMENTS"] = this->UnitsAreFragments() ? "1" : "0";
   return defines;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkCellStorage::GetStoringDefines() const
+{
+  return { { "COUNT_ACCESSES", this->CountAccesses ? "1" : "0" } };
 }
 
 //------------------------------------------------------------------------------

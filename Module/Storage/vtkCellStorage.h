@@ -59,6 +59,7 @@ public:
 
   std::string GetShaderName() const override;
   std::map<std::string, std::string> GetDefines() const override;
+  std::map<std::string, std::string> GetStoringDefines() const override;
   void BeginFrame(const std::vector<Box>& boxes, const vtkTranslucencyCapabilities& capabilities) override;
   std::string GetObstacle(const Rectangle& viewport, const vtkTranslucencyCapabilities& capabilities) const override;
   Outcome Begin(const Rectangle& tile, const vtkTranslucencyCapabilities& capabilities) override;

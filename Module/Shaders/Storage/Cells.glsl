@@ -14,14 +14,16 @@
 // buffer: by a path with caches of its own on a GPU, and on the software rasterizer for all lanes of a vector at once,
 // where reading a buffer is a loop over the lanes that checks each word.
 //
-// Needs: COUNT_ACCESSES (1: shaders count what they access in the storage), UNIT_LENGTH (fragments that a unit has room
-// for).
-// Gives: what CellGrid.glsl gives, takeUnit, takePlace; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where accesses are
-// counted readAccesses, tableAccesses, addAccesses.
+// A shader that stores is given COUNT_ACCESSES 1 where what it stores is to be counted, and one that counts what it
+// reads defines it itself, before it includes this. All others are the same programs, whatever is counted.
+//
+// Needs: UNIT_LENGTH (fragments that a unit has room for).
+// Gives: what CellGrid.glsl gives, takeUnit, takePlace, addAccesses; COUNT_STORE, COUNT_READ, COUNT_TABLE, and where
+// accesses are counted readAccesses, tableAccesses.
 #ifndef Cells_glsl
 #define Cells_glsl
 #ifndef COUNT_ACCESSES
-#error "Storage/Cells.glsl needs COUNT_ACCESSES"
+#define COUNT_ACCESSES 0
 #endif
 #ifndef UNIT_LENGTH
 #error "Storage/Cells.glsl needs UNIT_LENGTH"
@@ -51,11 +53,6 @@ uint takePlace(uint counter)
   return fits ? cells[counter + CELL_END] * uint(UNIT_LENGTH) - 1u - taken : NO_PLACE;
 }
 
-// Accesses of an invocation that reads lists. The storage says which of them count: READS_COUNT, TABLE_COUNTS.
-#if COUNT_ACCESSES
-uint readAccesses = 0u;
-uint tableAccesses = 0u;
-
 void addAccesses(uint counter, uint kind, uint count)
 {
   uint before = atomicAdd(cells[counter + kind], count);
@@ -64,6 +61,11 @@ void addAccesses(uint counter, uint kind, uint count)
     atomicAdd(cells[counter + kind + 1u], 1u);
   }
 }
+
+#if COUNT_ACCESSES
+// Of an invocation that reads lists. The storage says which of them count: READS_COUNT, TABLE_COUNTS.
+uint readAccesses = 0u;
+uint tableAccesses = 0u;
 
 #define COUNT_STORE(counter) atomicAdd(cells[(counter) + CELL_STORES], 1u)
 #define COUNT_READ() readAccesses += uint(READS_COUNT)

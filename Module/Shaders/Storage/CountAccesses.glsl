@@ -3,8 +3,9 @@
 
 // CountAccesses.glsl: reads each pixel's fragments once, counts what that accesses, and how many they are.
 //
-// Needs: what the storage needs, COUNT_ACCESSES 1.
+// Needs: what the storage needs.
 #define FRAGMENTS_READ_ONLY 1
+#define COUNT_ACCESSES 1
 #include "Common/Statistics.glsl"
 #include "Storage/Selected.glsl"
 

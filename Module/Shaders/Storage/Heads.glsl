@@ -5,7 +5,7 @@
 //
 // With several samples a pixel, the upper bits count the samples that are resolved.
 //
-// Needs: SAMPLES, COUNT_ACCESSES.  Gives: heads, headOf, setHead, dropFragments.
+// Needs: SAMPLES.  Gives: heads, headOf, setHead, dropFragments.
 #ifndef Heads_glsl
 #define Heads_glsl
 #include "Common/Samples.glsl"

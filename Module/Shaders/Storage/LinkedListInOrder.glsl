@@ -8,7 +8,7 @@
 // has its link all the same. A run begins at a multiple of its length, so a head tells whether the next node is the
 // pixel's.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS.
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, NODE_LINKS.
 // Gives: what Shaders/README.md asks of a storage.
 #ifndef LinkedListInOrder_glsl
 #define LinkedListInOrder_glsl

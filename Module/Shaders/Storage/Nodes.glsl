@@ -6,7 +6,7 @@
 // Node n is called n + 1, so that 0 ends a list. With several samples a pixel, a link is the distance to the next node
 // in 24 bits (0: none), so that the coverage finds room beside it.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, COUNT_ACCESSES, NODE_LINKS, UNIT_LENGTH (nodes that a pixel
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, NODE_LINKS, UNIT_LENGTH (nodes that a pixel
 // takes at a time), and may have NODE_PAIRS (Storage/NodesInOrder.glsl).
 // Gives: nodeRoom, writeNode, and of what Shaders/README.md asks of a storage all but storeFragment and READ_GROUP.
 #ifndef Nodes_glsl

@@ -6,7 +6,7 @@
 //
 // Where a driver keeps the order of drawing, RBufferInOrder.glsl is used instead.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES, NODE_LINKS.
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, NODE_LINKS.
 // Gives: what Shaders/README.md asks of a storage.
 #ifndef RBuffer_glsl
 #define RBuffer_glsl

@@ -4,7 +4,7 @@
 // RBufferInOrder.glsl: the R-buffer (Storage/RBuffer.glsl) where the driver keeps the order of drawing: a fragment may
 // join the one before it in its pixel.
 //
-// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, COUNT_ACCESSES, NODE_LINKS.
+// Needs: COLOR_FORMAT, SAMPLES, TRANSMITTANCE_CHANNELS, NODE_LINKS.
 // Gives: what Shaders/README.md asks of a storage.
 #ifndef RBufferInOrder_glsl
 #define RBufferInOrder_glsl

@@ -133,11 +133,9 @@ void main()
       }
     }
   }
-#if COUNT_ACCESSES
   addAccesses(counter, CELL_READS, read);
   addAccesses(counter, CELL_SECOND_DEPTH, read);
   addAccesses(counter, CELL_FRAME_BUFFER, framesBuffered);
-#endif
   cells[counter + CELL_QUEUE] = first;
   cells[counter + CELL_PUT_BACK] = unread ? last : 0u;
   cells[counter + CELL_PASSES] = unread ? pass : pass + 1u;

@@ -19,7 +19,7 @@
 // not been before, 2 where some have been.
 //
 // Needs: SECTION_LENGTH, SECTION_FREE_BITS (the bits of what may be free), OWN_SECTIONS, NODE_LINKS, COLOR_FORMAT,
-// SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER, COUNT_ACCESSES.
+// SAMPLES, TRANSMITTANCE_CHANNELS, FRAGMENT_ORDER.
 // Gives: placeRoom, readPlace, writePlace, lastOf, claimFrom, countPixel, and of what Shaders/README.md asks of a
 // storage all but storeFragment.
 #ifndef SectionPlaces_glsl
