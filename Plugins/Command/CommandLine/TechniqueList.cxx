@@ -13,14 +13,14 @@
 
 namespace
 {
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Kind = vtkTranslucencyOption::Kind;
 
 const std::map<int, std::string> Transmissions{ { 3, "red, green and blue" }, { 1, "their mean" }, { 0, "ignored" } };
 
-Json OptionToJson(const vtkTranslucencyOption& option)
+OrderedJson OptionToJson(const vtkTranslucencyOption& option)
 {
-  Json json;
+  OrderedJson json;
   json["keyword"] = option.Keyword;
   json["flag"] = FlagOf(option);
   json["property"] = option.Name;
@@ -42,19 +42,19 @@ Json OptionToJson(const vtkTranslucencyOption& option)
 
 std::string ToJsonText(const std::vector<TechniqueInfo>& techniques, Stage& stage)
 {
-  Json json;
+  OrderedJson json;
   json["driver"] = stage.GetDriver();
-  json["techniques"] = Json::array();
+  json["techniques"] = OrderedJson::array();
   for (const TechniqueInfo& technique : techniques)
   {
     const std::string missing = stage.GetMissing(technique.Name);
-    Json entry;
+    OrderedJson entry;
     entry["name"] = technique.Name;
     entry["help"] = technique.Help;
     entry["runs"] = missing.empty();
-    entry["missing"] = missing.empty() ? Json() : Json(missing);
+    entry["missing"] = missing.empty() ? OrderedJson() : OrderedJson(missing);
     entry["transmittances"] = technique.Transmittances;
-    entry["options"] = Json::array();
+    entry["options"] = OrderedJson::array();
     for (const vtkTranslucencyOption& option : technique.Options)
     {
       entry["options"].push_back(OptionToJson(option));

@@ -8,7 +8,7 @@
 
 namespace
 {
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // A column of the table: what stands above, and what in each row.
 struct Column
@@ -70,9 +70,9 @@ void Append(std::vector<Column>& columns, const std::vector<Column>& more)
   columns.insert(columns.end(), more.begin(), more.end());
 }
 
-Json OptionsOf(const TechniqueChoice& choice)
+OrderedJson OptionsOf(const TechniqueChoice& choice)
 {
-  Json options = Json::object();
+  OrderedJson options = OrderedJson::object();
   for (const auto& setting : choice.Settings)
   {
     options[setting.first] = setting.second;
@@ -80,27 +80,27 @@ Json OptionsOf(const TechniqueChoice& choice)
   return options;
 }
 
-void AddCounts(const FrameStatistics& statistics, Json& row)
+void AddCounts(const FrameStatistics& statistics, OrderedJson& row)
 {
   const bool known = statistics.Known;
-  row["fragments"] = known ? Json(statistics.Fragments) : Json();
-  row["deepest_pixel"] = known ? Json(statistics.DeepestPixel) : Json();
-  row["mebibytes"] = known ? Json(statistics.Mebibytes) : Json();
-  row["tiles"] = known ? Json(statistics.Tiles) : Json();
-  row["geometry_passes"] = known ? Json(statistics.GeometryPasses) : Json();
-  row["screen_passes"] = known ? Json(statistics.ScreenPasses) : Json();
-  row["shader_builds"] = known ? Json(statistics.ShaderBuilds) : Json();
-  row["transmittances"] = known ? Json(statistics.Transmittances) : Json();
-  row["chosen"] = statistics.Chosen.empty() ? Json() : Json(statistics.Chosen);
-  row["reason"] = statistics.Reason.empty() ? Json() : Json(statistics.Reason);
-  row["fallback"] = statistics.Fallback.empty() ? Json() : Json(statistics.Fallback);
+  row["fragments"] = known ? OrderedJson(statistics.Fragments) : OrderedJson();
+  row["deepest_pixel"] = known ? OrderedJson(statistics.DeepestPixel) : OrderedJson();
+  row["mebibytes"] = known ? OrderedJson(statistics.Mebibytes) : OrderedJson();
+  row["tiles"] = known ? OrderedJson(statistics.Tiles) : OrderedJson();
+  row["geometry_passes"] = known ? OrderedJson(statistics.GeometryPasses) : OrderedJson();
+  row["screen_passes"] = known ? OrderedJson(statistics.ScreenPasses) : OrderedJson();
+  row["shader_builds"] = known ? OrderedJson(statistics.ShaderBuilds) : OrderedJson();
+  row["transmittances"] = known ? OrderedJson(statistics.Transmittances) : OrderedJson();
+  row["chosen"] = statistics.Chosen.empty() ? OrderedJson() : OrderedJson(statistics.Chosen);
+  row["reason"] = statistics.Reason.empty() ? OrderedJson() : OrderedJson(statistics.Reason);
+  row["fallback"] = statistics.Fallback.empty() ? OrderedJson() : OrderedJson(statistics.Fallback);
 }
 
-void AddStorage(const std::optional<StorageCounts>& counts, Json& row)
+void AddStorage(const std::optional<StorageCounts>& counts, OrderedJson& row)
 {
-  row["section_length"] = counts ? Json(counts->SectionLength) : Json();
-  row["packed_mebibytes"] = counts ? Json(counts->PackedMebibytes) : Json();
-  row["accesses"] = Json();
+  row["section_length"] = counts ? OrderedJson(counts->SectionLength) : OrderedJson();
+  row["packed_mebibytes"] = counts ? OrderedJson(counts->PackedMebibytes) : OrderedJson();
+  row["accesses"] = OrderedJson();
   if (counts)
   {
     row["accesses"] = { { "stores", counts->Stores }, { "reads", counts->Reads }, { "table", counts->Table },
@@ -108,10 +108,10 @@ void AddStorage(const std::optional<StorageCounts>& counts, Json& row)
   }
 }
 
-Json RowToJson(const ReportRow& row, bool comparison)
+OrderedJson RowToJson(const ReportRow& row, bool comparison)
 {
   const Timing& times = row.Times;
-  Json json;
+  OrderedJson json;
   json["technique"] = row.Technique.Label;
   json["name"] = row.Technique.Name;
   json["options"] = OptionsOf(row.Technique);
@@ -119,19 +119,19 @@ Json RowToJson(const ReportRow& row, bool comparison)
   json["milliseconds"] = { { "median", times.Median }, { "lower_quartile", times.LowerQuartile },
     { "upper_quartile", times.UpperQuartile }, { "slowest", times.Slowest }, { "frames", times.Frames },
     { "first", times.First } };
-  json["ratio_to_blend"] = times.RatioToBlend ? Json(*times.RatioToBlend) : Json();
-  json["gather_milliseconds"] = times.Stages ? Json(times.Stages->Gather) : Json();
-  json["resolve_milliseconds"] = times.Stages ? Json(times.Stages->Resolve) : Json();
+  json["ratio_to_blend"] = times.RatioToBlend ? OrderedJson(*times.RatioToBlend) : OrderedJson();
+  json["gather_milliseconds"] = times.Stages ? OrderedJson(times.Stages->Gather) : OrderedJson();
+  json["resolve_milliseconds"] = times.Stages ? OrderedJson(times.Stages->Resolve) : OrderedJson();
   AddCounts(times.Statistics, json);
   AddStorage(times.Storage, json);
   if (comparison)
   {
     const auto& difference = row.ToReference;
-    json["rmse"] = difference ? Json(difference->Rmse) : Json();
-    json["psnr"] = difference && difference->Psnr ? Json(*difference->Psnr) : Json();
-    json["largest_difference"] = difference ? Json(difference->Largest) : Json();
+    json["rmse"] = difference ? OrderedJson(difference->Rmse) : OrderedJson();
+    json["psnr"] = difference && difference->Psnr ? OrderedJson(*difference->Psnr) : OrderedJson();
+    json["largest_difference"] = difference ? OrderedJson(difference->Largest) : OrderedJson();
     json["picture"] = row.PictureFile;
-    json["difference_picture"] = row.DifferenceFile.empty() ? Json() : Json(row.DifferenceFile);
+    json["difference_picture"] = row.DifferenceFile.empty() ? OrderedJson() : OrderedJson(row.DifferenceFile);
   }
   return json;
 }
@@ -220,10 +220,10 @@ std::string ToText(const Report& report)
 }
 
 //------------------------------------------------------------------------------
-Json ToJson(const Report& report)
+OrderedJson ToJson(const Report& report)
 {
   const bool comparison = !report.Reference.empty();
-  Json json;
+  OrderedJson json;
   json["kind"] = comparison ? "comparison" : "benchmark";
   json["title"] = report.Title;
   json["inputs"] = report.Inputs;
@@ -239,7 +239,7 @@ Json ToJson(const Report& report)
   {
     json["reference"] = report.Reference;
   }
-  json["techniques"] = Json::array();
+  json["techniques"] = OrderedJson::array();
   for (const ReportRow& row : report.Rows)
   {
     json["techniques"].push_back(RowToJson(row, comparison));

@@ -129,7 +129,7 @@ vtkSmartPointer<vtkPolyData> JoinAtSeeds(vtkPolyData* traced, vtkIdType seeds)
   return streamlines;
 }
 
-vtkSmartPointer<vtkPolyData> Trace(
+vtkSmartPointer<vtkPolyData> TraceStreamlines(
   vtkDataSet* data, const char* vectors, vtkPolyData* seeds, double leastSpeed, double mostLength)
 {
   vtkNew<vtkStreamTracer> tracer;
@@ -173,7 +173,7 @@ void AddStreamtubes(const Input& input, vtkDataSet* data, Scene& scene)
   }
   const double least = wanted.Speed * largest;
   const double diagonal = data->GetLength();
-  const auto streamlines = Trace(
+  const auto streamlines = TraceStreamlines(
     data, vectors->GetName(), ChooseSeeds(data, speeds, least, wanted.Seeds), least, wanted.Length.value_or(diagonal));
   if (streamlines->GetNumberOfLines() == 0)
   {

@@ -14,7 +14,7 @@ namespace
 {
 using Accounting = vtkStorageAccounting;
 using Design = Accounting::Design;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 void CheckSame(const std::string& where, const Accounting::Cost& simulated, const Accounting::Cost& computed)
 {
@@ -105,16 +105,16 @@ std::string ChangeText(double saving)
   return (percent == "0.0" ? "" : saving > 0 ? "-" : "+") + percent + " %";
 }
 
-Json DesignToJson(const Accounting::Layout& layout, const Accounting::Cost& cost)
+OrderedJson DesignToJson(const Accounting::Layout& layout, const Accounting::Cost& cost)
 {
   const bool points = layout.Kind != Design::RBuffer;
   const bool sections = layout.Kind == Design::TBuffer || layout.Kind == Design::MBuffer;
   const Accounting::Accesses& count = cost.Count;
-  Json json;
+  OrderedJson json;
   json["design"] = vtkStorageDesign::GetName(layout.Kind);
-  json["section_length"] = sections ? Json(layout.SectionLength) : Json();
-  json["sections"] = points ? Json(cost.Sections) : Json();
-  json["address_bits"] = points ? Json(layout.Bits.Address) : Json();
+  json["section_length"] = sections ? OrderedJson(layout.SectionLength) : OrderedJson();
+  json["sections"] = points ? OrderedJson(cost.Sections) : OrderedJson();
+  json["address_bits"] = points ? OrderedJson(layout.Bits.Address) : OrderedJson();
   json["bytes"] = cost.Bytes;
   json["accesses"] = { { "stores", count.Stores }, { "reads", count.Reads }, { "table", count.Table },
     { "second_depth", count.SecondDepth }, { "frame_buffer", count.FrameBuffer }, { "total", count.GetTotal() } };
@@ -193,10 +193,10 @@ std::string ToText(const StorageReport& report)
 }
 
 //------------------------------------------------------------------------------
-Json ToJson(const StorageReport& report)
+OrderedJson ToJson(const StorageReport& report)
 {
   const Accounting::Packing& bits = report.Settings.Bits;
-  Json json;
+  OrderedJson json;
   json["kind"] = "storage";
   json["title"] = report.Title;
   json["inputs"] = report.Inputs;
@@ -204,22 +204,22 @@ Json ToJson(const StorageReport& report)
   json["bits"] = { { "coordinate", bits.Coordinate }, { "depth", bits.Depth }, { "color", bits.Color },
     { "state", bits.State } };
   json["simulated"] = report.Simulated;
-  json["frames"] = Json::array();
+  json["frames"] = OrderedJson::array();
   for (const StorageFrame& frame : report.Frames)
   {
-    Json row;
+    OrderedJson row;
     row["name"] = frame.Name;
     row["fragments"] = frame.Pixels.GetFragments();
     row["pixels"] = frame.Pixels.GetPixels();
     row["deepest_pixel"] = frame.Pixels.Pixels.empty() ? 0 : frame.Pixels.Pixels.rbegin()->first;
-    row["designs"] = Json::array();
+    row["designs"] = OrderedJson::array();
     for (std::size_t i = 0; i < frame.Costs.size(); ++i)
     {
       row["designs"].push_back(DesignToJson(frame.Layouts[i], frame.Costs[i]));
     }
     json["frames"].push_back(row);
   }
-  json["means"] = Json::array();
+  json["means"] = OrderedJson::array();
   for (const StorageMean& mean : report.Means)
   {
     json["means"].push_back(
