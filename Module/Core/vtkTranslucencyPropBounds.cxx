@@ -44,7 +44,7 @@ vtkTranslucencyPropBounds::Origin vtkTranslucencyPropBounds::GetOrigin(vtkProp* 
   {
     return {};
   }
-  vtkDataSet* data = mapper->GetInputAsDataSet();
+  auto* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
   return data ? Origin{ data, std::max({ actor->GetMTime(), mapper->GetMTime(), data->GetMTime() }) } : Origin{};
 }
 
