@@ -236,6 +236,12 @@ TEST_P(TestStorage, DrawsAsLinkedListsDo)
 }
 
 // Each format with one number of samples: what takes the time is the driver's compiler.
+TEST_P(TestStorage, DrawsAsLinkedListsDoInBytes)
+{
+  const auto& [storage, samples] = GetParam();
+  ExpectSamePictures(storage, Techniques[0], { { "color_format", "rgba8" } }, samples, false);
+}
+
 TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
 {
   const auto& [storage, samples] = GetParam();
@@ -300,21 +306,6 @@ INSTANTIATE_TEST_SUITE_P(Designs, TestStorage, testing::Combine(testing::ValuesI
   [](const auto& info) { return std::get<0>(info.param).Name + "Samples" + std::to_string(std::get<1>(info.param)); });
 
 //------------------------------------------------------------------------------
-class TestStorageInBytes
-  : public RenderTest
-  , public testing::WithParamInterface<Storage>
-{
-};
-
-TEST_P(TestStorageInBytes, DrawsAsLinkedListsDo)
-{
-  ExpectSamePictures(GetParam(), Techniques[0], { { "color_format", "rgba8" } }, 1, false);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-  Designs, TestStorageInBytes, testing::ValuesIn(Designs), [](const auto& info) { return info.param.Name; });
-
-//------------------------------------------------------------------------------
 class TestStorageLengths
   : public RenderTest
   , public testing::WithParamInterface<std::tuple<Storage, int>>
@@ -328,12 +319,9 @@ TEST_P(TestStorageLengths, DrawAsLinkedListsDo)
     storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, false);
 }
 
-INSTANTIATE_TEST_SUITE_P(OneSample, TestStorageLengths,
-  testing::Combine(testing::ValuesIn(Lengths), testing::Values(1)),
-  [](const auto& info) { return std::get<0>(info.param).Name; });
-INSTANTIATE_TEST_SUITE_P(FourSamples, TestStorageLengths,
-  testing::Combine(testing::Values(Lengths[1], Lengths[4], Lengths[6]), testing::Values(4)),
-  [](const auto& info) { return std::get<0>(info.param).Name; });
+INSTANTIATE_TEST_SUITE_P(Lengths, TestStorageLengths,
+  testing::Combine(testing::ValuesIn(Lengths), testing::Values(1, 4)),
+  [](const auto& info) { return std::get<0>(info.param).Name + "Samples" + std::to_string(std::get<1>(info.param)); });
 
 //------------------------------------------------------------------------------
 class TestStorageOfTechniques
@@ -348,23 +336,15 @@ TEST_P(TestStorageOfTechniques, DrawsAsLinkedListsDo)
   ExpectSamePictures(storage, technique, {}, samples, false);
 }
 
-namespace
-{
-// All but the first one, which others draw.
-const auto OtherTechniques = testing::ValuesIn(std::vector<Technique>(Techniques.begin() + 1, Techniques.end()));
-
-std::string NameOf(const testing::TestParamInfo<std::tuple<Storage, Technique, int>>& info)
-{
-  return std::get<0>(info.param).Name + std::get<1>(info.param).Name + "Samples" +
-    std::to_string(std::get<2>(info.param));
-}
-}
-
-// T- and M-buffer share Storage/Sections.glsl: with four samples one of them does.
-INSTANTIATE_TEST_SUITE_P(OneSample, TestStorageOfTechniques,
-  testing::Combine(testing::Values(TBuffer, MBufferOf4, RBuffer), OtherTechniques, testing::Values(1)), NameOf);
-INSTANTIATE_TEST_SUITE_P(FourSamples, TestStorageOfTechniques,
-  testing::Combine(testing::Values(MBufferOf4, RBuffer), OtherTechniques, testing::Values(4)), NameOf);
+// All techniques but the first one, which others draw.
+INSTANTIATE_TEST_SUITE_P(Designs, TestStorageOfTechniques,
+  testing::Combine(testing::Values(TBuffer, MBufferOf4, RBuffer),
+    testing::ValuesIn(std::vector<Technique>(Techniques.begin() + 1, Techniques.end())), testing::Values(1, 4)),
+  [](const auto& info)
+  {
+    return std::get<0>(info.param).Name + std::get<1>(info.param).Name + "Samples" +
+      std::to_string(std::get<2>(info.param));
+  });
 
 //------------------------------------------------------------------------------
 using TestStorageOrder = RenderTest;
