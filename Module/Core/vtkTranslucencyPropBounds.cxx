@@ -19,17 +19,18 @@ std::vector<vtkTranslucencyPropBounds::Bounds> vtkTranslucencyPropBounds::Get(co
   {
     const Origin from = GetOrigin(prop);
     const auto last = this->Last.find(prop);
+    Known& now = known[prop];
     if (from.Data && last != this->Last.end() && last->second.From.Data == from.Data &&
       last->second.From.Time == from.Time)
     {
-      known[prop] = last->second;
+      now = last->second;
     }
     else
     {
-      const Bounds bounds = Ask(prop);
-      known[prop] = { GetOrigin(prop), bounds }; // asking may have made new data
+      now.Value = Ask(prop);
+      now.From = GetOrigin(prop); // not before: asking may make new data
     }
-    all.push_back(known[prop].Value);
+    all.push_back(now.Value);
   }
   this->Last.swap(known);
   return all;

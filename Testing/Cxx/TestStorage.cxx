@@ -235,13 +235,13 @@ TEST_P(TestStorage, DrawsAsLinkedListsDo)
   ExpectSamePictures(storage, Techniques[0], {}, samples, false);
 }
 
-// Each format with one number of samples: what takes the time is the driver's compiler.
 TEST_P(TestStorage, DrawsAsLinkedListsDoInBytes)
 {
   const auto& [storage, samples] = GetParam();
   ExpectSamePictures(storage, Techniques[0], { { "color_format", "rgba8" } }, samples, false);
 }
 
+// Each format with one number of samples: what takes the time is the driver's compiler.
 TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
 {
   const auto& [storage, samples] = GetParam();
