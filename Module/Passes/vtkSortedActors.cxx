@@ -4,13 +4,13 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkDepthSortPolyData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+#include "vtkSortedPolygons.h"
 #include "vtkTexture.h"
 #include "vtkWeakPointer.h"
 
@@ -23,7 +23,7 @@ struct vtkSortedActors::Sorted
   vtkWeakPointer<vtkActor> Of;
   vtkWeakPointer<vtkMapper> OfMapper;
   vtkTimeStamp Copied; // the mapper's settings
-  vtkNew<vtkDepthSortPolyData> Filter;
+  vtkNew<vtkSortedPolygons> Filter;
   vtkNew<vtkPolyDataMapper> Mapper;
   vtkNew<vtkActor> Actor;
   bool Used = true;
@@ -79,8 +79,6 @@ vtkActor* vtkSortedActors::Sort(vtkProp* prop, vtkCamera* camera, bool nearestFi
     found = this->Kept.insert(found, std::make_unique<Sorted>());
     (*found)->Of = actor;
     (*found)->OfMapper = mapper;
-    (*found)->Filter->SetDirectionToSpecifiedVector();
-    (*found)->Filter->SetDepthSortModeToParametricCenter();
     (*found)->Actor->ForceTranslucentOn();
     (*found)->Actor->SetMapper((*found)->Mapper);
   }
@@ -90,7 +88,7 @@ vtkActor* vtkSortedActors::Sort(vtkProp* prop, vtkCamera* camera, bool nearestFi
   actor->ComputeMatrix();
   double direction[3];
   FindDirection(actor, camera, nearestFirst, direction);
-  sorted.Filter->SetVector(direction); // sorts anew only if it has changed
+  sorted.Filter->SetDirection(direction); // sorts anew only if it has changed
   if (sorted.Copied < mapper->GetMTime())
   {
     sorted.Mapper->vtkPolyDataMapper::ShallowCopy(

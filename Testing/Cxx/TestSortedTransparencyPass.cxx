@@ -7,6 +7,8 @@
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataSetMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -14,6 +16,9 @@
 #include <vtkProperty.h>
 #include <vtkSortedTransparencyPass.h>
 #include <vtkTranslucencyStatistics.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
 
 namespace
 {
@@ -281,6 +286,56 @@ TEST_F(TestSortedOptions, NamesMappersThatCanNotBeSorted)
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_NE(messages[0].find("polygons of vtkDataSetMapper are not sorted"), std::string::npos) << messages[0];
+}
+
+//------------------------------------------------------------------------------
+// Nothing overlaps here: sorted or not, it is the same picture.
+TEST_F(TestSortedOptions, CellsOfSeveralKindsKeepTheirColors)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  const auto add = [&](vtkCellArray* cells, std::initializer_list<std::array<double, 3>> corners)
+  {
+    cells->InsertNextCell(static_cast<int>(corners.size()));
+    for (const auto& corner : corners)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(corner.data()));
+    }
+    const auto number = static_cast<unsigned char>(lines->GetNumberOfCells() + polygons->GetNumberOfCells());
+    const unsigned char color[] = { static_cast<unsigned char>(60 * number), 0,
+      static_cast<unsigned char>(255 - 60 * number) };
+    colors->InsertNextTypedTuple(color);
+  };
+  add(lines, { { 10, 20, 0 }, { 190, 20, 0 } });
+  add(lines, { { 10, 40, -0.8 }, { 190, 40, -0.8 } });
+  add(polygons, { { 10, 60, 0.5 }, { 60, 60, 0.5 }, { 60, 140, 0.5 } });
+  add(polygons, { { 100, 60, -0.5 }, { 150, 60, -0.5 }, { 150, 140, -0.5 }, { 100, 140, -0.5 } });
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->SetPolys(polygons);
+  data->GetCellData()->SetScalars(colors);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+
+  AnalyticScene empty;
+  empty.Width = 200;
+  empty.Height = 150;
+  View view(empty);
+  const Picture background = view.Render();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(0.5);
+  view.Renderer->AddActor(actor);
+  vtkNew<vtkSortedTransparencyPass> pass;
+  view.SetPass(pass);
+  const Picture unsorted = view.Render();
+  EXPECT_GE(Compare(unsorted, background).Largest, 50);
+  pass->SetOrder(vtkSortedTransparencyPass::Centroid);
+  EXPECT_EQ(view.Render(), unsorted);
 }
 
 //------------------------------------------------------------------------------
