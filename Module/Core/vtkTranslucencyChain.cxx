@@ -118,15 +118,30 @@ std::string GetNames(vtkRenderPass* root)
 }
 
 //------------------------------------------------------------------------------
+vtkTranslucencyChain* vtkTranslucencyChain::Find(vtkRenderer* renderer)
+{
+  return vtkTranslucencyChain::SafeDownCast(renderer->GetInformation()->Get(CHAIN()));
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkTranslucencyChain::GetTechnique(vtkRenderer* renderer)
+{
+  const vtkTranslucencyChain* chain = Find(renderer);
+  return chain ? chain->Technique : nullptr;
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* technique)
 {
-  vtkSmartPointer<vtkTranslucencyChain> chain =
-    vtkTranslucencyChain::SafeDownCast(renderer->GetInformation()->Get(CHAIN()));
+  vtkSmartPointer<vtkTranslucencyChain> chain = Find(renderer);
   if (!chain)
   {
     chain = vtkSmartPointer<vtkTranslucencyChain>::New();
     chain->Renderer = renderer;
-    chain->Observer = renderer->AddObserver(vtkCommand::StartEvent, chain.Get(), &vtkTranslucencyChain::Update);
+    // After the observers of toolkits that give the renderer other passes there.
+    constexpr float priority = -1;
+    chain->Observer =
+      renderer->AddObserver(vtkCommand::StartEvent, chain.Get(), &vtkTranslucencyChain::Update, priority);
     renderer->GetInformation()->Set(CHAIN(), chain);
   }
   chain->TakeOut();
@@ -141,8 +156,7 @@ void vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* techniqu
 //------------------------------------------------------------------------------
 void vtkTranslucencyChain::Disable(vtkRenderer* renderer)
 {
-  const vtkSmartPointer<vtkTranslucencyChain> chain =
-    vtkTranslucencyChain::SafeDownCast(renderer->GetInformation()->Get(CHAIN()));
+  const vtkSmartPointer<vtkTranslucencyChain> chain = Find(renderer);
   if (!chain)
   {
     return;
@@ -380,7 +394,8 @@ bool vtkTranslucencyChain::Replace(vtkRenderPass* owner, vtkRenderPass* from, vt
 void vtkTranslucencyChain::Release(vtkRenderPass* pass)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  if (pass && window && window->GetGenericContext())
+  // Asked for its context before the first frame, a window that has no X display yet ends the process.
+  if (pass && window && !window->GetNeverRendered() && window->GetGenericContext())
   {
     window->PushContext();
     pass->ReleaseGraphicsResources(window);

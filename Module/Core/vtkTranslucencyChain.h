@@ -44,6 +44,9 @@ public:
   /// replaced, with a warning.
   static void Enable(vtkRenderer* renderer, vtkRenderPass* technique);
 
+  /// The technique in a renderer's chain; null without one.
+  static vtkRenderPass* GetTechnique(vtkRenderer* renderer);
+
   /// Leaves the renderer as it would be if no technique had been put into its chain.
   static void Disable(vtkRenderer* renderer);
 
@@ -67,6 +70,7 @@ private:
   void Release(vtkRenderPass* pass);
 
   static vtkInformationObjectBaseKey* CHAIN();
+  static vtkTranslucencyChain* Find(vtkRenderer* renderer);
 
   struct Edit
   {

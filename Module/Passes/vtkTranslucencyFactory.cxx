@@ -165,6 +165,17 @@ void vtkTranslucencyFactory::Enable(vtkRenderer* renderer, vtkRenderPass* techni
 }
 
 //------------------------------------------------------------------------------
+vtkRenderPass* vtkTranslucencyFactory::GetTechnique(vtkRenderer* renderer)
+{
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("the renderer is null, expected a vtkRenderer");
+    return nullptr;
+  }
+  return vtkTranslucencyChain::GetTechnique(renderer);
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyFactory::Disable(vtkRenderer* renderer)
 {
   if (!renderer)

@@ -61,6 +61,11 @@ public:
   ///@}
 
   /**
+   * The technique's pass that was put into the renderer by Enable; null where there is none.
+   */
+  static vtkRenderPass* GetTechnique(vtkRenderer* renderer);
+
+  /**
    * Takes the technique out again: the renderer and its passes are as they would be without. Does nothing where there
    * is none.
    */

@@ -68,6 +68,17 @@ TEST_F(TestFactory, DrawsSomethingByEveryTechnique)
 }
 
 //------------------------------------------------------------------------------
+// There is no context yet in which something could have been made.
+TEST_F(TestFactory, ExchangesAndTakesOutBeforeTheFirstFrame)
+{
+  View view(SomeLayers());
+  vtkTranslucencyFactory::Enable(view.Renderer, "exact");
+  vtkTranslucencyFactory::Enable(view.Renderer, "adaptive");
+  vtkTranslucencyFactory::Disable(view.Renderer);
+  EXPECT_EQ(view.Renderer->GetPass(), nullptr);
+}
+
+//------------------------------------------------------------------------------
 TEST_F(TestFactory, RefusesANameThatIsNone)
 {
   EXPECT_EQ(vtkTranslucencyFactory::CreateTechnique("magic"), nullptr);
@@ -75,8 +86,13 @@ TEST_F(TestFactory, RefusesANameThatIsNone)
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_NE(messages[0].find("'magic', expected one of: exact, adaptive, "), std::string::npos) << messages[0];
   View view(10, 10);
+  vtkRenderPass* pass = vtkTranslucencyFactory::Enable(view.Renderer, "exact");
   EXPECT_EQ(vtkTranslucencyFactory::Enable(view.Renderer, ""), nullptr);
+  EXPECT_EQ(vtkTranslucencyFactory::GetTechnique(view.Renderer), pass);
+  vtkTranslucencyFactory::Disable(view.Renderer);
+  EXPECT_EQ(vtkTranslucencyFactory::GetTechnique(view.Renderer), nullptr);
   EXPECT_EQ(TakeMessages().size(), 1u);
   EXPECT_EQ(vtkTranslucencyFactory::Enable(nullptr, "exact"), nullptr);
-  EXPECT_EQ(TakeMessages().size(), 1u);
+  EXPECT_EQ(vtkTranslucencyFactory::GetTechnique(nullptr), nullptr);
+  EXPECT_EQ(TakeMessages().size(), 2u);
 }

@@ -7,31 +7,23 @@ import sys
 import tempfile
 import unittest
 
-import vtkmodules.vtkRenderingOpenGL2 as rendering  # the classes that draw
-from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter
-from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  the mapper that draws
-
 import vtktranslucency
+from vtk_under_test import vtk
 
 
 def translucent_scene():
     """A window with two spheres, one inside the other: four fragments in the middle."""
-    renderer = vtkRenderer()
+    renderer = vtk.vtkRenderer()
     for radius in (1, 2):
-        sphere = vtkSphereSource()
+        sphere = vtk.vtkSphereSource()
         sphere.SetRadius(radius)
-        mapper = vtkPolyDataMapper()
+        mapper = vtk.vtkPolyDataMapper()
         mapper.SetInputConnection(sphere.GetOutputPort())
-        actor = vtkActor()
+        actor = vtk.vtkActor()
         actor.SetMapper(mapper)
         actor.GetProperty().SetOpacity(0.3)
         renderer.AddActor(actor)
-    window = vtkRenderWindow()
+    window = vtk.vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
     window.SetSize(100, 100)
@@ -41,15 +33,15 @@ def translucent_scene():
 
 def two_planes():
     """A window of 100 x 100 pixels with two planes of 50 x 50, which overlap in 20 x 20."""
-    renderer = vtkRenderer()
+    renderer = vtk.vtkRenderer()
     for corner in (10, 40):
-        plane = vtkPlaneSource()
+        plane = vtk.vtkPlaneSource()
         plane.SetOrigin(corner, corner, corner / 100)
         plane.SetPoint1(corner + 50, corner, corner / 100)
         plane.SetPoint2(corner, corner + 50, corner / 100)
-        mapper = vtkPolyDataMapper()
+        mapper = vtk.vtkPolyDataMapper()
         mapper.SetInputConnection(plane.GetOutputPort())
-        actor = vtkActor()
+        actor = vtk.vtkActor()
         actor.SetMapper(mapper)
         actor.GetProperty().SetOpacity(0.3)
         renderer.AddActor(actor)
@@ -59,7 +51,7 @@ def two_planes():
     camera.SetPosition(50, 50, 2)
     camera.SetFocalPoint(50, 50, 0)
     camera.SetClippingRange(1, 3)
-    window = vtkRenderWindow()
+    window = vtk.vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
     window.SetSize(100, 100)
@@ -98,15 +90,15 @@ class Toolkit:
     def __init__(self, window, renderer):
         self.window = window
         self.renderer = renderer
-        self.steps = rendering.vtkRenderStepsPass()
-        self.collection = rendering.vtkRenderPassCollection()
+        self.steps = vtk.vtkRenderStepsPass()
+        self.collection = vtk.vtkRenderPassCollection()
         self.collection.AddItem(self.steps)
-        sequence = rendering.vtkSequencePass()
+        sequence = vtk.vtkSequencePass()
         sequence.SetPasses(self.collection)
-        self.camera = rendering.vtkCameraPass()
+        self.camera = vtk.vtkCameraPass()
         self.camera.SetDelegatePass(sequence)
-        self.shadows = rendering.vtkShadowMapPass()
-        self.effects = {name: getattr(rendering, name)() for name in ("vtkEDLShading", "vtkSSAOPass", "vtkSSAAPass")}
+        self.shadows = vtk.vtkShadowMapPass()
+        self.effects = {name: getattr(vtk, name)() for name in ("vtkEDLShading", "vtkSSAOPass", "vtkSSAAPass")}
         self.enabled = set()
 
     def enable(self, name):
@@ -140,7 +132,7 @@ class Toolkit:
 def picture(window):
     """What stands for the window's picture: the same where that is."""
     window.Render()
-    grabber = vtkWindowToImageFilter()
+    grabber = vtk.vtkWindowToImageFilter()
     grabber.SetInput(window)
     grabber.ReadFrontBufferOff()
     grabber.ShouldRerenderOff()
@@ -150,14 +142,14 @@ def picture(window):
 
 class TestEnable(unittest.TestCase):
     def test_default_is_adaptive(self):
-        renderer = vtkRenderer()
+        renderer = vtk.vtkRenderer()
         technique_pass = vtktranslucency.enable(renderer)
         self.assertIsInstance(technique_pass, vtktranslucency.vtkAdaptiveTransparencyPass)
         self.assertEqual(technique_pass.GetNodeCount(), 16)
         self.assertIs(renderer.GetPass().GetTranslucentPass(), technique_pass)
 
     def test_options_reach_the_pass(self):
-        technique_pass = vtktranslucency.enable(vtkRenderer(), "adaptive", nodes=8, removal="mixed", memory_limit=12.5)
+        technique_pass = vtktranslucency.enable(vtk.vtkRenderer(), "adaptive", nodes=8, removal="mixed", memory_limit=12.5)
         self.assertEqual(technique_pass.GetNodeCount(), 8)
         self.assertEqual(technique_pass.GetNodeRemoval(), technique_pass.Mixed)
         self.assertEqual(technique_pass.GetStorage().GetMemoryLimit(), 12.5)
@@ -165,21 +157,21 @@ class TestEnable(unittest.TestCase):
 
     def test_storage_and_its_sections_in_any_order(self):
         for options in ({"storage": "t-buffer", "section_length": 2}, {"section_length": 2, "storage": "t-buffer"}):
-            technique_pass = vtktranslucency.enable(vtkRenderer(), "exact", **options)
+            technique_pass = vtktranslucency.enable(vtk.vtkRenderer(), "exact", **options)
             self.assertEqual(technique_pass.GetStorageDesign(), technique_pass.TBuffer)
             self.assertEqual(technique_pass.GetStorage().GetSectionLength(), 2)
 
     def test_takes_what_has_a_renderer(self):
-        renderer = vtkRenderer()
+        renderer = vtk.vtkRenderer()
         technique_pass = vtktranslucency.enable(HasRenderer(renderer), "exact")
         self.assertIs(renderer.GetPass().GetTranslucentPass(), technique_pass)
 
     def test_every_technique(self):
         for name in vtktranslucency.techniques():
-            self.assertIsNotNone(vtktranslucency.enable(vtkRenderer(), name))
+            self.assertIsNotNone(vtktranslucency.enable(vtk.vtkRenderer(), name))
 
     def test_a_second_call_replaces_the_first(self):
-        renderer = vtkRenderer()
+        renderer = vtk.vtkRenderer()
         vtktranslucency.enable(renderer, "exact")
         technique_pass = vtktranslucency.enable(renderer, "adaptive")
         self.assertIs(renderer.GetPass().GetTranslucentPass(), technique_pass)
@@ -193,15 +185,15 @@ class TestEffects(unittest.TestCase):
         """The translucent spheres, with something opaque before and behind them, and a light that throws shadows."""
         window, renderer = translucent_scene()
         for radius, center in ((3, (0, 0, -5)), (0.6, (1, 1, 2))):
-            sphere = vtkSphereSource()
+            sphere = vtk.vtkSphereSource()
             sphere.SetRadius(radius)
             sphere.SetCenter(center)
-            mapper = vtkPolyDataMapper()
+            mapper = vtk.vtkPolyDataMapper()
             mapper.SetInputConnection(sphere.GetOutputPort())
-            actor = vtkActor()
+            actor = vtk.vtkActor()
             actor.SetMapper(mapper)
             renderer.AddActor(actor)
-        light = vtkLight()
+        light = vtk.vtkLight()
         light.PositionalOn()
         light.SetPosition(3, 3, 12)
         light.SetFocalPoint(0, 0, -3)
@@ -235,7 +227,7 @@ class TestEffects(unittest.TestCase):
                         vtktranslucency.disable(renderer)
                         self.assertEqual(toolkit.picture(), stock)
                         self.assertIsNone(renderer.GetPass())
-                        self.assertIsInstance(toolkit.steps.GetTranslucentPass(), rendering.vtkTranslucentPass)
+                        self.assertIsInstance(toolkit.steps.GetTranslucentPass(), vtk.vtkTranslucentPass)
                         toolkit.release()
                 self.assertEqual(set(pictures), {pictures[0]})
 
@@ -252,16 +244,33 @@ class TestEffects(unittest.TestCase):
         renderer.UseFXAAOff()
         self.assertEqual(picture(window), without)
 
+    def test_of_a_toolkit_that_sets_passes_when_a_frame_starts(self):
+        window, renderer = self.scene()
+        vtktranslucency.enable(renderer, "exact")
+        expected = picture(window)
+        camera = vtk.vtkCameraPass()
+        camera.SetDelegatePass(vtk.vtkRenderStepsPass())
+        for chain in (camera, None):
+            for before in (True, False):
+                vtktranslucency.disable(renderer)
+                if not before:
+                    vtktranslucency.enable(renderer, "exact")
+                observer = renderer.AddObserver("StartEvent", lambda *_: renderer.SetPass(chain))
+                if before:
+                    vtktranslucency.enable(renderer, "exact")
+                self.assertEqual(picture(window), expected)
+                renderer.RemoveObserver(observer)
+
     def test_volumes_of_a_chain_are_drawn_among_the_surfaces(self):
         window, renderer = translucent_scene()
-        source = vtkRTAnalyticSource()
+        source = vtk.vtkRTAnalyticSource()
         source.SetWholeExtent(-8, 8, -8, 8, -8, 8)
-        mapper = vtkGPUVolumeRayCastMapper()
+        mapper = vtk.vtkGPUVolumeRayCastMapper()
         mapper.SetInputConnection(source.GetOutputPort())
-        opacity = vtkPiecewiseFunction()
+        opacity = vtk.vtkPiecewiseFunction()
         opacity.AddPoint(100, 0)
         opacity.AddPoint(280, 0.3)
-        volume = vtkVolume()
+        volume = vtk.vtkVolume()
         volume.SetMapper(mapper)
         volume.SetScale(0.2)
         volume.GetProperty().SetScalarOpacity(opacity)
@@ -269,13 +278,13 @@ class TestEffects(unittest.TestCase):
         vtktranslucency.enable(renderer, "exact")
         expected = picture(window)
         vtktranslucency.disable(renderer)
-        sequence = rendering.vtkSequencePass()
-        sequence.SetPasses(rendering.vtkRenderPassCollection())
+        sequence = vtk.vtkSequencePass()
+        sequence.SetPasses(vtk.vtkRenderPassCollection())
         for name in ("vtkLightsPass", "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass"):
-            sequence.GetPasses().AddItem(getattr(rendering, name)())
-        camera = rendering.vtkCameraPass()
+            sequence.GetPasses().AddItem(getattr(vtk, name)())
+        camera = vtk.vtkCameraPass()
         camera.SetDelegatePass(sequence)
-        for chain in (rendering.vtkRenderStepsPass(), camera):
+        for chain in (vtk.vtkRenderStepsPass(), camera):
             renderer.SetPass(chain)
             stock = picture(window)
             self.assertNotEqual(stock, expected)
@@ -284,71 +293,111 @@ class TestEffects(unittest.TestCase):
             vtktranslucency.disable(renderer)
             self.assertEqual(picture(window), stock)
 
-    def test_disabling_what_was_not_enabled_changes_nothing(self):
-        renderer = vtkRenderer()
-        chain = rendering.vtkRenderStepsPass()
-        renderer.SetPass(chain)
-        vtktranslucency.disable(HasRenderer(renderer))
-        self.assertIs(renderer.GetPass(), chain)
-
 
 class TestBadInput(unittest.TestCase):
     def check(self, renderer, technique, options, expected):
         """The error is the exception and nothing else: no output, no change."""
         target = getattr(renderer, "renderer", renderer)
-        previous = target.GetPass() if isinstance(target, vtkRenderer) else None
+        previous = target.GetPass() if isinstance(target, vtk.vtkRenderer) else None
         with printed() as texts, self.assertRaisesRegex(ValueError, expected):
             vtktranslucency.enable(renderer, technique, **options)
         self.assertEqual(texts, [""])
-        if isinstance(target, vtkRenderer):
+        if isinstance(target, vtk.vtkRenderer):
             self.assertIs(target.GetPass(), previous)
 
     def test_technique(self):
-        self.check(vtkRenderer(), "exakt", {}, "^there is no technique 'exakt', expected one of: exact, adaptive, ")
-        self.check(vtkRenderer(), None, {}, "^there is no technique None, ")
+        self.check(
+            vtk.vtkRenderer(), "exakt", {},
+            "^there is no technique 'exakt', did you mean 'exact'\\? Expected one of: exact, adaptive, ")
+        self.check(vtk.vtkRenderer(), "Sort", {}, "^there is no technique 'Sort', did you mean 'sorted'\\? ")
+        for name in (None, [], "depth test"):
+            self.check(vtk.vtkRenderer(), name, {}, "^there is no technique .*. Expected one of: exact, adaptive, ")
 
     def test_option(self):
-        self.check(vtkRenderer(), "exact", {"nodes": 3}, "^there is no option 'nodes', expected one of: ")
-        self.check(vtkRenderer(), "blend", {"nodes": 3}, "^there is no option 'nodes', the technique 'blend' takes none$")
+        self.check(
+            vtk.vtkRenderer(), "exact", {"nodes": 3},
+            "^there is no option 'nodes' of the technique 'exact'. Expected one of: .*storage, ")
+        self.check(
+            vtk.vtkRenderer(), "adaptive", {"node": 3},
+            "^there is no option 'node' of the technique 'adaptive', did you mean 'nodes'\\? Expected one of: ")
+        self.check(
+            vtk.vtkRenderer(), "blend", {"nodes": 3},
+            "^there is no option 'nodes' of the technique 'blend': it takes none$")
 
     def test_value(self):
         for value in (0, 65, -1, 1.5, "many", None, float("nan"), float("inf")):
-            self.check(vtkRenderer(), "adaptive", {"nodes": value}, "^nodes is '.*', expected an integer in 1..64$")
-        self.check(vtkRenderer(), "adaptive", {"removal": "none"}, "^removal is 'none', expected underestimate, ")
-        self.check(vtkRenderer(), "exact", {"memory_limit": -1}, "^memory_limit is '-1', expected a number in ")
+            self.check(vtk.vtkRenderer(), "adaptive", {"nodes": value}, "^nodes is '.*', expected an integer in 1..64$")
+        self.check(vtk.vtkRenderer(), "adaptive", {"removal": "none"}, "^removal is 'none', expected underestimate, ")
+        self.check(vtk.vtkRenderer(), "exact", {"memory_limit": -1}, "^memory_limit is '-1', expected a number in ")
 
     def test_storage(self):
         self.check(
-            vtkRenderer(), "exact", {"storage": "x-buffer"},
+            vtk.vtkRenderer(), "exact", {"storage": "x-buffer"},
             "^storage is 'x-buffer', expected linked-list, t-buffer, r-buffer or m-buffer$")
         for value in (0, -1, 65, 10000, 2.5, "long", None):
             for storage in ("linked-list", "t-buffer", "m-buffer"):
                 self.check(
-                    vtkRenderer(), "exact", {"storage": storage, "section_length": value},
+                    vtk.vtkRenderer(), "exact", {"storage": storage, "section_length": value},
                     "^section_length is '.*', expected an integer in 1..64$")
 
     def test_good_options_before_a_bad_one_change_nothing(self):
-        renderer = vtkRenderer()
+        renderer = vtk.vtkRenderer()
         technique_pass = vtktranslucency.enable(renderer, "exact")
         self.check(renderer, "adaptive", {"nodes": 8, "removal": "none"}, "^removal is ")
         self.assertIs(renderer.GetPass().GetTranslucentPass(), technique_pass)
 
     def test_renderer(self):
-        for candidate in (None, 3, vtkRenderWindow(), HasRenderer(None)):
-            self.check(candidate, "exact", {}, "^renderer is of type .*, expected a vtkRenderer or ")
-            with self.assertRaisesRegex(ValueError, "^renderer is of type .*, expected a vtkRenderer or "):
-                vtktranslucency.disable(candidate)
+        expected = r"^renderer is of type \w+\.\w+.*, expected a \w+\.vtkRenderingCore\.vtkRenderer or "
+        for candidate in (None, 3, vtk.vtkRenderWindow(), HasRenderer(None)):
+            self.check(candidate, "exact", {}, expected)
+            for function in (vtktranslucency.disable, vtktranslucency.statistics):
+                with self.assertRaisesRegex(ValueError, expected):
+                    function(candidate)
+
+    def test_disabling_what_was_not_enabled(self):
+        renderer = vtk.vtkRenderer()
+        chain = vtk.vtkRenderStepsPass()
+        renderer.SetPass(chain)
+        for _ in range(2):
+            with self.assertRaisesRegex(ValueError, r"^the renderer has no technique: expected one that enable\(\) was"):
+                vtktranslucency.disable(HasRenderer(renderer))
+            self.assertIs(renderer.GetPass(), chain)
+            vtktranslucency.enable(renderer)
+            vtktranslucency.disable(renderer)
+
+    def test_statistics_of_no_frame(self):
+        window, renderer = translucent_scene()
+        with self.assertRaisesRegex(ValueError, "^the renderer has no technique: "):
+            vtktranslucency.statistics(renderer)
+        vtktranslucency.enable(renderer)
+        with self.assertRaisesRegex(ValueError, "^the renderer has drawn no frame: expected one whose window's "):
+            vtktranslucency.statistics(renderer)
+        vtktranslucency.enable(renderer, "blend")
+        window.Render()
+        with self.assertRaisesRegex(ValueError, "^the renderer draws with VTK's own vtk.*TranslucentPass, which keeps no "):
+            vtktranslucency.statistics(renderer)
+
+    def test_a_renderer_without_a_window(self):
+        renderer = vtk.vtkRenderer()
+        vtktranslucency.enable(renderer)
+        with self.assertRaisesRegex(ValueError, "^the renderer is in no window: expected one whose window's Render"):
+            vtktranslucency.statistics(renderer)
+        window, _ = translucent_scene()
+        window.AddRenderer(renderer)
+        window.Render()
+        self.assertEqual(vtktranslucency.statistics(renderer)["fragments"], 0)
+        vtktranslucency.disable(renderer)
 
     def test_while_vtk_is_silent(self):
-        vtkObject.GlobalWarningDisplayOff()
+        vtk.vtkObject.GlobalWarningDisplayOff()
         try:
-            self.check(vtkRenderer(), "adaptive", {"nodes": 0}, "^nodes is '0', ")
-            self.assertFalse(vtkObject.GetGlobalWarningDisplay())
+            self.check(vtk.vtkRenderer(), "adaptive", {"nodes": 0}, "^nodes is '0', ")
+            self.assertFalse(vtk.vtkObject.GetGlobalWarningDisplay())
         finally:
-            vtkObject.GlobalWarningDisplayOn()
+            vtk.vtkObject.GlobalWarningDisplayOn()
 
     def test_options_of_no_technique(self):
-        with self.assertRaisesRegex(ValueError, "^there is no technique 'exakt', "):
+        with self.assertRaisesRegex(ValueError, "^there is no technique 'exakt', did you mean 'exact'"):
             vtktranslucency.options("exakt")
 
 
@@ -367,7 +416,7 @@ class TestTables(unittest.TestCase):
     def test_options_round_trip(self):
         """Each option takes back the text of its own value."""
         for technique in vtktranslucency.techniques():
-            technique_pass = vtktranslucency.enable(vtkRenderer(), technique)
+            technique_pass = vtktranslucency.enable(vtk.vtkRenderer(), technique)
             for keyword in vtktranslucency.options(technique):
                 value = technique_pass.GetOption(keyword)
                 self.assertTrue(technique_pass.SetOption(keyword, value), f"{technique}, {keyword}={value}")
@@ -376,7 +425,7 @@ class TestTables(unittest.TestCase):
 
 class TestTransmission(unittest.TestCase):
     def test_color(self):
-        actor = vtkActor()
+        actor = vtk.vtkActor()
         vtktranslucency.vtkTranslucencyPass.SetTransmissionColor(actor, 1, 0.5, 0.25)
         color = [0, 0, 0]
         self.assertTrue(vtktranslucency.vtkTranslucencyPass.GetTransmissionColor(actor, color))
@@ -386,6 +435,24 @@ class TestTransmission(unittest.TestCase):
 
 
 class TestStatistics(unittest.TestCase):
+    def test_as_a_dictionary(self):
+        window, renderer = translucent_scene()
+        technique_pass = vtktranslucency.enable(renderer, "exact")
+        technique_pass.MeasureTimesOn()
+        window.Render()
+        kept = technique_pass.GetStatistics()
+        numbers = vtktranslucency.statistics(HasRenderer(renderer))
+        times = {name: numbers.pop(name) for name in ("gather_time", "resolve_time")}
+        self.assertEqual(numbers, {
+            "fragments": kept.GetFragments(), "deepest_pixel": 4, "bytes": kept.GetBytes(), "tiles": 1,
+            "geometry_passes": kept.GetGeometryPasses(), "screen_passes": kept.GetScreenPasses(),
+            "shader_builds": kept.GetShaderBuilds(), "fallback": ""})
+        self.assertGreater(min(times.values()), 0)
+        vtktranslucency.enable(renderer, "auto")
+        window.Render()
+        self.assertEqual(vtktranslucency.statistics(renderer)["chosen"], "exact")
+        self.assertIn("budget", vtktranslucency.statistics(renderer)["reason"])
+
     def test_of_a_frame(self):
         for technique in ("exact", "adaptive"):
             window, renderer = translucent_scene()

@@ -1,62 +1,96 @@
 """Translucent geometry drawn right, whatever the order in which VTK draws it.
 
-    import vtktranslucency
+In these examples, and in those of the functions, renderer is a vtkRenderer in a window:
 
-    vtktranslucency.enable(renderer)                        # adaptive transparency
-    vtktranslucency.enable(renderer, "adaptive", nodes=32)  # with more nodes a pixel
-    vtktranslucency.enable(renderer, "exact")               # every fragment, sorted
-    vtktranslucency.disable(renderer)                       # as it was
+>>> import vtktranslucency
+>>> technique_pass = vtktranslucency.enable(renderer)                        # adaptive transparency
+>>> technique_pass = vtktranslucency.enable(renderer, "adaptive", nodes=32)  # with more nodes per pixel
+>>> technique_pass = vtktranslucency.enable(renderer, "exact")               # every fragment, sorted
+>>> vtktranslucency.disable(renderer)                                        # as it was
 
-techniques() tells what there is, options(technique) what each can be told. The classes behind the techniques are here, too,
-as VTK's are in vtkmodules: vtktranslucency.vtkAdaptiveTransparencyPass and so on.
+techniques() tells what there is, options(technique) what each can be told, statistics(renderer) what the last frame cost. The
+classes behind the techniques are here, too, as VTK's are in its own package: vtktranslucency.vtkAdaptiveTransparencyPass and so on.
+
+What is wrong is a ValueError, which names it and what was expected, and changes nothing.
 """
 
-import re as _re
+from __future__ import annotations
 
-from vtkmodules.vtkCommonCore import vtkObject as _vtkObject
-from vtkmodules.vtkRenderingCore import vtkRenderer as _vtkRenderer
+import difflib
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
 
+from ._vtk import vtkObject, vtkRenderer, vtkRenderPass  # first: it refuses a VTK that the next line can't be loaded beside
 from .vtkRenderingTranslucency import *  # noqa: F401, F403
-from .vtkRenderingTranslucency import vtkTranslucencyFactory, vtkTranslucencyPass
+from .vtkRenderingTranslucency import (
+    vtkAutomaticTransparencyPass,
+    vtkTranslucencyFactory,
+    vtkTranslucencyPass,
+    vtkTranslucencyStatistics,
+)
 
 
-def enable(renderer, technique="adaptive", **options):
-    """Draw a renderer's translucent props with a technique.
+def enable(renderer: Any, technique: str = "adaptive", **options: object) -> vtkRenderPass:
+    """Draw a renderer's translucent props with a technique, and return the technique's pass.
 
-    renderer is a vtkRenderer, or something that has one as its attribute `renderer`, such as a PyVista plotter; technique is
-    one of techniques(); options are those of options(technique), by keyword.
+    renderer is a vtkRenderer, or something that has one as its attribute `renderer`; technique is one of techniques(); options are
+    those of options(technique), by keyword.
 
-    Returns the technique's pass; this module's own have GetStatistics(), which tells what the last frame cost. If anything is
-    wrong, raises ValueError, which names it and what was expected, and leaves the renderer as it was.
+    A PyVista plotter's renderer is the one of its active subplot, as it is for the plotter's own enable_depth_peeling. For all:
+
+        for renderer in plotter.renderers:
+            vtktranslucency.enable(renderer)
 
     The renderer's effects (FXAA, SSAO, shadows, hidden lines) and the passes that it has, or is given later, stay; so do PyVista's
-    enable_anti_aliasing, enable_eye_dome_lighting, enable_ssao, enable_shadows and the like, in any order. A second call changes the technique only.
+    enable_anti_aliasing, enable_eye_dome_lighting, enable_ssao, enable_shadows and the like, in any order. A second call changes
+    the technique only.
+
+    >>> vtktranslucency.enable(renderer, "exact", memory_limit=64).GetOption("memory_limit")
+    '64'
+    >>> vtktranslucency.enable(renderer, "exakt")
+    Traceback (most recent call last):
+    ValueError: there is no technique 'exakt', did you mean 'exact'? Expected one of: ...
     """
     renderer = _find_renderer(renderer)
-    _check_technique(technique)
-    technique_pass = vtkTranslucencyFactory.CreateTechnique(technique)
-    _set_options(technique_pass, technique, options)
+    technique_pass = _create(technique, options)
     vtkTranslucencyFactory.Enable(renderer, technique_pass)
     return technique_pass
 
 
-def disable(renderer):
-    """Give back what enable() took: the renderer and its passes are as they would be without. Does nothing where there is no technique."""
-    vtkTranslucencyFactory.Disable(_find_renderer(renderer))
+def disable(renderer: Any) -> None:
+    """Give back what enable() took: the renderer and its passes are as they would be without.
+
+    >>> technique_pass = vtktranslucency.enable(renderer)
+    >>> vtktranslucency.disable(renderer)
+    >>> vtktranslucency.disable(renderer)
+    Traceback (most recent call last):
+    ValueError: the renderer has no technique: expected one that enable() was called with, and disable() not since
+    """
+    renderer = _find_renderer(renderer)
+    _find_technique(renderer)
+    vtkTranslucencyFactory.Disable(renderer)
 
 
-def techniques():
-    """The techniques that enable() takes: a dictionary of one-line descriptions by name."""
+def techniques() -> dict[str, str]:
+    """The techniques that enable() takes: one-line descriptions by name.
+
+    >>> vtktranslucency.techniques()["exact"]
+    'A-buffer: every fragment, sorted and blended'
+    """
     return {
         vtkTranslucencyFactory.GetTechniqueName(i): vtkTranslucencyFactory.GetTechniqueHelp(i)
         for i in range(vtkTranslucencyFactory.GetNumberOfTechniques())
     }
 
 
-def options(technique):
-    """The options that enable() takes for a technique: a dictionary of descriptions by keyword, with range and default."""
-    _check_technique(technique)
-    technique_pass = vtkTranslucencyFactory.CreateTechnique(technique)
+def options(technique: str) -> dict[str, str]:
+    """The options that enable() takes for a technique: descriptions by keyword, with range and default.
+
+    >>> vtktranslucency.options("adaptive")["nodes"]
+    'nodes of the visibility function; ... (1..64, default 16)'
+    """
+    technique_pass = _create(technique, {})
     if not isinstance(technique_pass, vtkTranslucencyPass):
         return {}
     return {
@@ -65,41 +99,93 @@ def options(technique):
     }
 
 
-def _find_renderer(candidate):
+def statistics(renderer: Any) -> dict[str, int | float | str]:
+    """What the last frame of a renderer drew and cost, under the names of vtkTranslucencyStatistics.
+
+    Counts are of that frame, bytes of graphics memory. Times are in milliseconds, and negative unless MeasureTimesOn() of the pass,
+    which enable() returns, was called before the frame. fallback is empty where the technique itself has drawn. Of the technique
+    'auto', chosen and reason tell what has drawn, and why. Asking waits for the frame to end.
+
+    >>> technique_pass = vtktranslucency.enable(renderer, "exact")
+    >>> renderer.GetRenderWindow().Render()
+    >>> numbers = vtktranslucency.statistics(renderer)
+    >>> numbers["fragments"], numbers["deepest_pixel"], numbers["fallback"]
+    (2500, 1, '')
+    """
+    renderer = _find_renderer(renderer)
+    technique_pass = _find_technique(renderer)
+    if not isinstance(technique_pass, vtkTranslucencyPass):
+        raise ValueError(f"the renderer draws with VTK's own {technique_pass.GetClassName()}, which keeps no statistics")
+    window = renderer.GetRenderWindow()
+    if window is None or window.GetNeverRendered():
+        lack = "is in no window" if window is None else "has drawn no frame"
+        raise ValueError(f"the renderer {lack}: expected one whose window's Render() has been called")
+    window.MakeCurrent()
+    kept = technique_pass.GetStatistics()
+    getters = sorted(name for name in set(dir(vtkTranslucencyStatistics)) - set(dir(vtkObject)) if name.startswith("Get"))
+    numbers = {re.sub("(?<=[a-z])(?=[A-Z])", "_", name[3:]).lower(): getattr(kept, name)() for name in getters}
+    if isinstance(technique_pass, vtkAutomaticTransparencyPass):
+        numbers.update(chosen=technique_pass.GetChosen(), reason=technique_pass.GetReason())
+    return numbers
+
+
+def _find_renderer(candidate: Any) -> vtkRenderer:
     for renderer in (candidate, getattr(candidate, "renderer", None)):
-        if isinstance(renderer, _vtkRenderer):
+        if isinstance(renderer, vtkRenderer):
             return renderer
+    kind = type(candidate)
     raise ValueError(
-        f"renderer is of type {type(candidate).__name__}, "
-        "expected a vtkRenderer or something that has one as its attribute 'renderer'"
+        f"renderer is of type {kind.__module__}.{kind.__qualname__}, expected a {vtkRenderer.__module__}.vtkRenderer or something "
+        "that has one as its attribute 'renderer'"
     )
 
 
-def _check_technique(name):
-    if name not in techniques():
-        raise ValueError(f"there is no technique {name!r}, expected one of: {', '.join(techniques())}")
+def _find_technique(renderer: vtkRenderer) -> vtkRenderPass:
+    technique_pass = vtkTranslucencyFactory.GetTechnique(renderer)
+    if technique_pass is None:
+        raise ValueError(
+            "the renderer has no technique: expected one that enable() was called with, and disable() not since"
+        )
+    return technique_pass
 
 
-def _set_options(technique_pass, technique, options):
-    """Sets them one by one; VTK's own words for a bad one become the exception's text instead of being printed."""
-    if not options:
-        return
-    if not isinstance(technique_pass, vtkTranslucencyPass):
-        raise ValueError(f"there is no option {next(iter(options))!r}, the technique {technique!r} takes none")
+def _create(technique: str, values: Mapping[str, object]) -> vtkRenderPass:
+    """A new pass of the technique, with these values of its options."""
+    _check_name(f"technique {technique!r}", technique, techniques())
+    technique_pass = vtkTranslucencyFactory.CreateTechnique(technique)
+    if values:
+        _set_options(technique_pass, technique, values)
+    return technique_pass
+
+
+def _check_name(what: str, name: object, known: Iterable[str]) -> None:
+    known = list(known)
+    if name not in known:
+        similar = difflib.get_close_matches(str(name).lower(), known, 1)
+        suggestion = f", did you mean {similar[0]!r}?" if similar else "."
+        raise ValueError(f"there is no {what}{suggestion} Expected one of: {', '.join(known)}")
+
+
+def _set_options(technique_pass: vtkRenderPass, technique: str, values: Mapping[str, object]) -> None:
+    """Sets them one by one; VTK's own words for a bad value become the exception's text instead of being printed."""
+    known = options(technique)
+    if not known:
+        raise ValueError(f"there is no option {next(iter(values))!r} of the technique {technique!r}: it takes none")
 
     messages = []
 
-    def collect(_sender, _event, text):
-        messages.append(_re.sub(r"^ERROR: In .*, line \d+\nvtk\w+ \(\w+\): ", "", text).strip())
+    def collect(_sender: vtkObject, _event: str, text: str) -> None:
+        messages.append(re.sub(r"^ERROR: In .*, line \d+\nvtk\w+ \(\w+\): ", "", text).strip())
 
-    collect.CallDataType = "string0"
+    collect.CallDataType = "string0"  # type: ignore[attr-defined]
     observer = technique_pass.AddObserver("ErrorEvent", collect)
-    displayed = _vtkObject.GetGlobalWarningDisplay()
-    _vtkObject.GlobalWarningDisplayOn()  # else there is no event
+    displayed = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.GlobalWarningDisplayOn()  # else there is no event
     try:
-        for keyword, value in options.items():
+        for keyword, value in values.items():
+            _check_name(f"option {keyword!r} of the technique {technique!r}", keyword, known)
             if not technique_pass.SetOption(keyword, str(value)):
                 raise ValueError(" ".join(messages))
     finally:
-        _vtkObject.SetGlobalWarningDisplay(displayed)
+        vtkObject.SetGlobalWarningDisplay(displayed)
         technique_pass.RemoveObserver(observer)
