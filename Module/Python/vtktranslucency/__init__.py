@@ -114,13 +114,17 @@ def statistics(renderer: Any) -> dict[str, int | float | str]:
     """
     renderer = _find_renderer(renderer)
     technique_pass = _find_technique(renderer)
-    if not isinstance(technique_pass, vtkTranslucencyPass):
-        raise ValueError(f"the renderer draws with VTK's own {technique_pass.GetClassName()}, which keeps no statistics")
     window = renderer.GetRenderWindow()
     if window is None or window.GetNeverRendered():
         lack = "is in no window" if window is None else "has drawn no frame"
         raise ValueError(f"the renderer {lack}: expected one whose window's Render() has been called")
     window.MakeCurrent()
+    return _describe(technique_pass)
+
+
+def _describe(technique_pass: vtkRenderPass) -> dict[str, int | float | str]:
+    if not isinstance(technique_pass, vtkTranslucencyPass):
+        raise ValueError(f"the renderer draws with VTK's own {technique_pass.GetClassName()}, which keeps no statistics")
     kept = technique_pass.GetStatistics()
     getters = sorted(name for name in set(dir(vtkTranslucencyStatistics)) - set(dir(vtkObject)) if name.startswith("Get"))
     numbers = {re.sub("(?<=[a-z])(?=[A-Z])", "_", name[3:]).lower(): getattr(kept, name)() for name in getters}

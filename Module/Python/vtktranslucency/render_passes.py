@@ -11,12 +11,12 @@ entry point, which would take the place from others wherever both packages are i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from pyvista_render_passes import BasePassProvider
 
-from . import _create, vtkTranslucencyFactory
+from . import _create, _describe, vtkTranslucencyPass
 
 
 class TranslucencyProvider(BasePassProvider):
@@ -26,21 +26,28 @@ class TranslucencyProvider(BasePassProvider):
     stages = ("translucent",)
 
     def __init__(self, technique: str = "adaptive", **options: object) -> None:
-        self._renderer: Any = None
         self._state = self._checked({"technique": technique, "options": options})
+        self._pass: Any = None
 
     def build_pass(self, stage: Any, renderer: Any, chain: Any, delegate: Any) -> Any:
-        """A new pass. The technique is enabled, too, so that it also takes the volumes, which are the chain's next step."""
+        """A new pass. As soon as the renderer has the chain, the pass takes over the chain's next step, the volumes."""
         technique_pass = _create(self._state["technique"], self._state["options"])
-        vtkTranslucencyFactory.Enable(renderer, technique_pass)
-        self._renderer = renderer
+        self._pass = technique_pass
+
+        def take_volumes(*_: object) -> None:
+            if renderer.GetPass() is not None:
+                renderer.RemoveObserver(observer)
+                _take_volumes(renderer.GetPass(), technique_pass)
+
+        if isinstance(technique_pass, vtkTranslucencyPass):
+            observer = renderer.AddObserver("ModifiedEvent", take_volumes)
         return technique_pass
 
-    def bind(self, invalidate: Callable[[], object] | None) -> None:
-        super().bind(invalidate)
-        if invalidate is None and self._renderer is not None:
-            vtkTranslucencyFactory.Disable(self._renderer)
-            self._renderer = None
+    def statistics(self) -> dict[str, int | float | str]:
+        """What the last frame drew and cost, as vtktranslucency.statistics has it of a renderer."""
+        if self._pass is None:
+            raise ValueError("the provider has drawn no frame: expected one that is registered, of a plotter that has rendered")
+        return _describe(self._pass)
 
     def default_state(self) -> dict[str, Any]:
         return {"technique": "adaptive", "options": {}}
@@ -56,3 +63,18 @@ class TranslucencyProvider(BasePassProvider):
     def _checked(state: dict[str, Any]) -> dict[str, Any]:
         _create(state["technique"], state["options"])
         return state
+
+
+def _take_volumes(step: Any, technique_pass: vtkTranslucencyPass) -> None:
+    """Of the passes below step, the one that draws volumes right after the technique becomes the technique's own."""
+    if step.IsA("vtkSequencePass"):
+        passes = step.GetPasses()
+        steps = [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
+        for each, following in zip(steps, [*steps[1:], None]):
+            if each is technique_pass and following is not None and following.IsA("vtkVolumetricPass"):
+                passes.RemoveItem(following)
+                technique_pass.SetVolumetricPass(following)
+            else:
+                _take_volumes(each, technique_pass)
+    elif hasattr(step, "GetDelegatePass") and step.GetDelegatePass() is not None:
+        _take_volumes(step.GetDelegatePass(), technique_pass)
