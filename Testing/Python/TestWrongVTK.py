@@ -28,22 +28,26 @@ class TestWrongVTK(unittest.TestCase):
         self.assertNotIn("vtktranslucency.vtkRenderingTranslucency", run.stdout)
 
     def test_other_release(self):
-        version = "class vtkVersion:\n    GetVTKVersion = staticmethod(lambda: '8.2.0')\n"
+        core = "class vtkObject: pass\nclass vtkVersion:\n    GetVTKVersion = staticmethod(lambda: '8.2.0')\n"
+        rendering = "class vtkRenderer: pass\nclass vtkRenderPass: pass\n"
+        names = ("__init__", "vtkCommonCore", "vtkRenderingCore")
         self.check(
-            {f"{_vtk.PACKAGE}/__init__.py": "", f"{_vtk.PACKAGE}/vtkCommonCore.py": version},
+            {f"{_vtk.PACKAGE}/{name}.py": text for name, text in zip(names, ("", core, rendering))},
             f"the package {_vtk.PACKAGE} is of version 8.2.0, but vtktranslucency was built with {_vtk.VERSION}. ")
 
-    def test_no_vtk(self):
+    def test_parts_missing(self):
         self.check(
-            {f"{_vtk.PACKAGE}/__init__.py": ""},
-            f"vtktranslucency was built with VTK {_vtk.VERSION} of the package {_vtk.PACKAGE}, which can't be imported: ")
+            {f"{_vtk.PACKAGE}/__init__.py": "", f"{_vtk.PACKAGE}/vtkCommonCore.py": "class vtkObject: pass\nvtkVersion = vtkObject"},
+            f"vtktranslucency was built with VTK {_vtk.VERSION} of the package {_vtk.PACKAGE}, which can't be imported: ",
+            "vtkRenderingCore")
 
     @unittest.skipUnless(_vtk.DISTRIBUTION, "not installed as a wheel")
     def test_other_wheel(self):
         name, _, version = _vtk.DISTRIBUTION.partition("==")
+        name = name.partition("[")[0]
         self.check(
             {f"{name}-0.1.dist-info/METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: 0.1\n"},
-            f"the distribution {name} is of version 0.1, but vtktranslucency was built with {version}. Install that, as in: pip install ")
+            f"the distribution {name} is of version 0.1, but vtktranslucency was built with {version}. Install that: pip install ")
 
 
 if __name__ == "__main__":

@@ -4,4 +4,6 @@ import importlib
 
 from vtktranslucency._vtk import PACKAGE
 
-vtk = importlib.import_module("vtkmodules.all" if PACKAGE == "vtkmodules" else PACKAGE)  # others have them in their root
+# Others than Kitware's give each class in their root, from a module that is loaded when its first class is asked for.
+vtk = importlib.import_module("vtkmodules.all" if PACKAGE == "vtkmodules" else PACKAGE)
+importlib.import_module(f"{PACKAGE}.vtkRenderingVolumeOpenGL2")  # by whose classes those of vtkRenderingVolume draw
