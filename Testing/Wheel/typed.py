@@ -5,7 +5,6 @@ import vtktranslucency
 technique_pass = vtktranslucency.vtkAdaptiveTransparencyPass()
 nodes: int = technique_pass.GetNodeCount()
 text: str = technique_pass.GetNodeCount()  # type: ignore[assignment]
-technique_pass.GetNodes()  # type: ignore[attr-defined]
 
 numbers: dict[str, int | float | str] = vtktranslucency.statistics(object())
 help_of_options: dict[str, str] = vtktranslucency.options("adaptive")
