@@ -354,6 +354,13 @@ class TestBadInput(unittest.TestCase):
                 with self.assertRaisesRegex(ValueError, expected):
                     function(candidate)
 
+    def test_renderer_of_another_vtk(self):
+        other = type("vtkRenderer", (), {"__module__": "other.vtkRenderingCore"})
+        for candidate in (other(), HasRenderer(type("Renderer", (other,), {})())):
+            self.check(
+                candidate, "exact", {},
+                r"^the renderer is one of other\.vtkRenderingCore, expected one of \w+\.vtkRenderingCore, with which ")
+
     def test_disabling_what_was_not_enabled(self):
         renderer = vtk.vtkRenderer()
         chain = vtk.vtkRenderStepsPass()

@@ -137,6 +137,12 @@ def _find_renderer(candidate: Any) -> vtkRenderer:
     for renderer in (candidate, getattr(candidate, "renderer", None)):
         if isinstance(renderer, vtkRenderer):
             return renderer
+        for base in type(renderer).__mro__:
+            if base.__name__ == "vtkRenderer":
+                raise ValueError(
+                    f"the renderer is one of {base.__module__}, expected one of {vtkRenderer.__module__}, with which "
+                    "vtktranslucency was built; of PyVista, PYVISTA_VTK_BACKEND in the environment chooses"
+                )
     kind = type(candidate)
     raise ValueError(
         f"renderer is of type {kind.__module__}.{kind.__qualname__}, expected a {vtkRenderer.__module__}.vtkRenderer or something "
