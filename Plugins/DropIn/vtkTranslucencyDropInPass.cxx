@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyDropInPass.h"
 
-#include "vtkTranslucencyFactory.h"
+#include "vtkTranslucencyDrawing.h"
 #include "vtkTranslucencyPass.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRenderState.h"
-
-#include <nlohmann/json.hpp>
-
-#include <cstdlib>
-
-#include <dlfcn.h>
 
 vtkStandardNewMacro(vtkTranslucencyDropInPass);
 
@@ -43,6 +37,7 @@ void vtkTranslucencyDropInPass::Render(const vtkRenderState* state)
   {
     dual->SetVolumetricPass(this->VolumetricPass);
   }
+  const vtkTranslucencyDrawing drawing;
   this->Technique->Render(state);
   this->NumberOfRenderedProps = this->Technique->GetNumberOfRenderedProps();
   if (this->VolumetricPass && !own && !dual) // techniques that know no volumes; the renderer leaves them to this pass
@@ -57,34 +52,4 @@ void vtkTranslucencyDropInPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Technique->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-// What Preload.cxx looks up. TRANSLUCENCY_TECHNIQUE is {"technique": NAME, "options": {KEYWORD: TEXT, ...}}, which
-// `translucency run` has checked.
-extern "C" __attribute__((visibility("default"))) void* vtkTranslucencyDropInNew()
-{
-  const char* text = std::getenv("TRANSLUCENCY_TECHNIQUE");
-  const auto wanted = nlohmann::json::parse(text ? text : R"({"technique": "adaptive", "options": {}})");
-  const auto technique = vtkSmartPointer<vtkRenderPass>::Take(
-    vtkTranslucencyFactory::CreateTechnique(wanted["technique"].get<std::string>()));
-  if (auto* own = vtkTranslucencyPass::SafeDownCast(technique))
-  {
-    for (const auto& option : wanted["options"].items())
-    {
-      own->SetOption(option.key(), option.value().get<std::string>());
-    }
-  }
-  auto* pass = vtkTranslucencyDropInPass::New();
-  pass->SetTechnique(technique);
-  return pass;
-}
-
-//------------------------------------------------------------------------------
-// The file of the library that the techniques are in.
-extern "C" __attribute__((visibility("default"))) const char* vtkTranslucencyDropInModule()
-{
-  static Dl_info info;
-  dladdr(reinterpret_cast<const void*>(&vtkTranslucencyFactory::New), &info);
-  return info.dli_fname;
 }

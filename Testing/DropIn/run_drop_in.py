@@ -1,41 +1,64 @@
-"""Tests of `translucency run`, by name: peels.py as it is and under the drop-in, pictures and messages.
+"""Tests of `translucency run`, by name: programs as they are and under the drop-in, pictures and messages.
 
     run_drop_in.py --list
-    run_drop_in.py COMMAND OTHER_VERSION CASE    OTHER_VERSION: the preloaded library, made to expect another release of VTK
+    run_drop_in.py COMMAND PRELOAD FOLDER CASE    PRELOAD: the preloaded library; FOLDER: what this folder's CMakeLists.txt has built
 """
 
+import importlib.util
+import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-PROGRAM = [sys.executable, "-B", str(pathlib.Path(__file__).with_name("peels.py"))]
-STATUS = 7  # of peels.py
+HERE = pathlib.Path(__file__).parent
+STATUS = 7  # of all programs
+BACKGROUND = (51, 77, 102)
 
 
 class Runner:
-    def __init__(self, command, other_version, folder):
+    def __init__(self, command, preload, built, folder, program=None):
         self.command = command
-        self.other_version = other_version
+        self.preload = pathlib.Path(preload)
+        self.built = pathlib.Path(built)
         self.folder = folder
+        self.program = program or [sys.executable, "-B", str(HERE / "peels.py")]
+
+    def of(self, *program):
+        """The same with another program than peels.py."""
+        return Runner(self.command, self.preload, self.built, self.folder, list(program))
 
     def draw(self, how, before=(), environment=None):
         """The picture's bytes and what was said."""
         file = self.folder / "picture.png"
         file.unlink(missing_ok=True)
-        done = subprocess.run([*before, *PROGRAM, str(file), *how], capture_output=True, text=True, cwd=self.folder,
+        done = subprocess.run([*before, *self.program, str(file), *how], capture_output=True, text=True, cwd=self.folder,
                               env={**os.environ, **(environment or {})})
         assert done.returncode == STATUS, f"status {done.returncode}, expected {STATUS}: {done.stderr}"
         reader = vtkPNGReader()
         reader.SetFileName(str(file))
         reader.Update()
-        return bytes(memoryview(reader.GetOutput().GetPointData().GetScalars()).cast("B")), done.stderr
+        return bytes(memoryview(reader.GetOutput().GetPointData().GetScalars()).cast("B")), done.stderr + done.stdout
 
     def run(self, how, *options, environment=None):
         return self.draw(how, [self.command, "run", *options, "--"], environment)
+
+    def package(self, **drop_ins):
+        """A copy of the preloaded library, with drop-ins: the name of what was built by the release of VTK it is for, v1_2_3 for 1.2.3."""
+        folder = self.folder / "package"
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        name = self.preload.parent.joinpath(vtkVersion.GetVTKVersion(), "libvtkTranslucencyDropIn.so")
+        for version, built in drop_ins.items():
+            release = folder / version[1:].replace("_", ".")
+            release.mkdir()
+            shutil.copy(self.built / built if built else name, release / name.name)
+        return shutil.copy(self.preload, folder)
 
 
 def largest(a, b):
@@ -107,7 +130,7 @@ def every_technique_takes_volumes(runner):
 
 def multi_sampled_windows(runner):
     whole, _ = runner.draw(["renderer"])
-    empty = (51, 77, 102) * (len(whole) // 3)  # what VTK 9.1's peeling draws there
+    empty = BACKGROUND * (len(whole) // 3)  # what VTK 9.1's peeling draws there
     drawn, said = runner.run(["renderer", "4"], "--technique", "exact")
     assert not said, said
     assert sum(abs(a - b) for a, b in zip(drawn, whole)) < 0.2 * sum(abs(a - b) for a, b in zip(empty, whole))
@@ -121,18 +144,162 @@ def options_reach_the_pass(runner):
     assert "MemoryLimit is 0.001 MiB" in said, said
 
 
-def another_version(runner):
+def own_version():
+    return "v" + vtkVersion.GetVTKVersion().replace(".", "_")
+
+
+def one_package_for_several_releases(runner):
+    """The program's VTK tells which drop-in is taken: the real one, or one that says so."""
     stock, _ = runner.draw(["renderer"])
-    drawn, said = runner.draw(["renderer"], environment={"LD_PRELOAD": runner.other_version})
-    assert stock == drawn
-    assert said.count("\n") == 1 and "it uses VTK 9." in said and "expected 1.2.3; it draws by its own depth peeling" in said, said
+    preload = runner.package(v1_2_3="libPretendedDropIn.so", **{own_version(): None})
+    technique = {"TRANSLUCENCY_TECHNIQUE": '{"technique": "blend", "options": {}}'}
+    drawn, said = runner.draw(["renderer"], environment={"LD_PRELOAD": preload, **technique})
+    assert not said and largest(stock, drawn) > 20, said
+    other = {"LD_PRELOAD": f"{preload}:{runner.built / 'libPretendedVersion.so'}", **technique}
+    drawn, said = runner.draw(["renderer"], environment={**other, "PRETENDED_VTK_VERSION": "1.2.3"})
+    assert (drawn, said) == (stock, "the pretended drop-in draws\n"), said
+
+
+def refuses(runner, preload, expected, version=None):
+    """Another drop-in, or none: the program's own picture and one sentence."""
+    for how, always in (("renderer", {}), ("blending", {"TRANSLUCENCY_ALWAYS": "1"})):
+        stock, _ = runner.draw([how])
+        libraries = f"{preload}:{runner.built / 'libPretendedVersion.so'}" if version else preload
+        drawn, said = runner.draw([how], environment={"LD_PRELOAD": str(libraries), "PRETENDED_VTK_VERSION": version or "", **always})
+        assert stock == drawn
+        assert said.count("\n") == 1 and expected in said and said.endswith("; it draws as it would have\n"), said
+
+
+def no_drop_in_for_a_release(runner):
+    preload = runner.package(v1_2_3="libPretendedDropIn.so", **{own_version(): None})
+    known = ", ".join(sorted(["1.2.3", vtkVersion.GetVTKVersion()]))
+    refuses(runner, preload, f"it uses VTK 4.5.6, and the drop-ins in {pathlib.Path(preload).parent} are for {known}; ", "4.5.6")
+    refuses(runner, runner.package(), f"it uses VTK {vtkVersion.GetVTKVersion()}, and the drop-ins in {runner.folder / 'package'} are for none; ")
+
+
+def drop_ins_that_do_not_fit(runner):
+    refuses(runner, runner.package(**{own_version(): "libOutdatedDropIn.so"}), "is of release 0.0.1, expected ")
+    preload = runner.package(**{own_version(): "libPretendedDropIn.so"})
+    next(pathlib.Path(preload).parent.glob("*/*.so")).write_text("not a library")
+    refuses(runner, preload, "the drop-in can't be loaded: ")
 
 
 def never_asked(runner):
     stock, _ = runner.draw(["blending"])
     drawn, said = runner.run(["blending"])
     assert stock == drawn
-    assert said.count("\n") == 1 and "it never asked for depth peeling" in said, said
+    assert said.count("\n") == 1 and "it never asked for depth peeling" in said and "With --always" in said, said
+
+
+def never_reached(runner):
+    for options, code, expected in (
+            (["--always"], "import vtkmodules.vtkRenderingOpenGL2", "no renderer or pass of VTK drew in it"),
+            ([], "import ctypes; ctypes.CDLL('libGL.so.1')", "it draws by OpenGL, but has no library of VTK"),
+            (["--always"], "import ctypes; ctypes.CDLL('libGL.so.1')", "it draws by OpenGL, but has no library of VTK")):
+        done = subprocess.run([runner.command, "run", *options, "--", sys.executable, "-c", code], capture_output=True, text=True)
+        assert done.returncode == 0 and done.stderr.count("\n") == 1 and expected in done.stderr, done
+
+
+def always_draws_as_peeling(runner, how, peeling):
+    """What would not be right by itself, and the same with peeling. Gives the picture."""
+    stock, said = runner.draw(how)
+    assert not said, said
+    reference, said = runner.run(peeling, "--technique", "exact")
+    assert not said, said
+    drawn, said = runner.run(how, "--technique", "exact", "--always")
+    assert not said, said
+    assert largest(stock, reference) > 20, largest(stock, reference)
+    assert largest(drawn, reference) <= 1, largest(drawn, reference)
+    return drawn
+
+
+def always_a_renderer(runner):
+    drawn = always_draws_as_peeling(runner, ["blending"], ["renderer"])
+    peeled, _ = runner.draw(["renderer"])
+    assert 0 < largest(drawn, peeled) <= 3, largest(drawn, peeled)
+    plain, _ = runner.run(["blending"], "--technique", "blend", "--always")
+    assert largest(drawn, plain) > 20, "the technique that was asked for"
+
+
+def always_where_peeling_is_switched_off(runner):
+    always_draws_as_peeling(runner, ["switched-off"], ["renderer"])
+
+
+def always_a_subclass_in_python(runner):
+    always_draws_as_peeling(runner, ["subclass"], ["renderer"])
+
+
+def always_in_cxx(runner):
+    program = runner.of(str(runner.built / "blends"))
+    for how in ("renderer", "viewer"):
+        always_draws_as_peeling(program, [how], ["peeling"])
+
+
+def always_multi_sampled(runner):
+    always_draws_as_peeling(runner, ["blending", "4"], ["renderer", "4"])
+    always_draws_as_peeling(runner, ["subclass", "8"], ["renderer", "8"])
+
+
+def always_several_renderers(runner):
+    always_draws_as_peeling(runner, ["layers-blending"], ["layers"])
+
+
+def always_volumes(runner):
+    """Among the surfaces, where the technique can; else where they are drawn without it."""
+    always_draws_as_peeling(runner, ["volumes-blending"], ["volumes"])
+    without, _ = runner.run(["blending"], "--always")
+    projected, said = runner.run(["projected"], "--always")
+    assert "vtkFixedPointVolumeRayCastMapper are drawn over the translucent surfaces" in said and largest(without, projected) > 20, said
+
+
+def always_effects_of_the_renderer(runner):
+    for effect in ("UseFXAA", "UseSSAO", "UseHiddenLineRemoval"):
+        always_draws_as_peeling(runner, ["blending", "0", effect], ["renderer", "0", effect])
+
+
+def always_passes(runner):
+    """The step of a chain that would blend."""
+    for how in ("steps", "default"):
+        always_draws_as_peeling(runner, [how], ["dual"])
+    for effect in ("vtkSSAAPass", "vtkEDLShading", "vtkToneMappingPass", "vtkSSAOPass"):
+        always_draws_as_peeling(runner, ["steps", "0", effect], ["dual", "0", effect])
+
+
+def always_leaves_what_was_asked_for(runner):
+    """What asks for peeling gets the same without --always; a technique that the program has chosen stays."""
+    for how in (["renderer"], ["dual"], ["single"], ["volumes"], ["renderer", "4"], ["renderer", "0", "UseSSAO"]):
+        drawn, said = runner.run(how)
+        always, said_always = runner.run(how, "--always")
+        assert drawn == always and not said and not said_always, f"{how}: {said} {said_always}"
+    stock, _ = runner.draw(["weighted"])
+    drawn, said = runner.run(["weighted"], "--always")
+    assert stock == drawn and not said, said
+
+
+def always_selects(runner):
+    stock, numbers = runner.draw(["selecting"])
+    drawn, said = runner.run(["selecting"], "--technique", "exact", "--always")
+    assert len(set(numbers.split())) > 1 and said == numbers, f"{numbers} {said}"
+    assert largest(stock, drawn) > 20
+
+
+def always_every_technique(runner):
+    """Each is drawn by itself, whether the program has passes or not, and none calls itself."""
+    said = subprocess.run([runner.command, "list", "--json"], capture_output=True, text=True, check=True).stdout
+    names = [technique["name"] for technique in json.loads(said)["techniques"]]
+    assert len(names) > 10, names
+    for name in names:
+        reference, _ = runner.run(["renderer"], "--technique", name)
+        for how in ("blending", "steps"):
+            drawn, said = runner.run([how], "--technique", name, "--always")
+            assert not said, f"{name}, {how}: {said}"
+            assert largest(drawn, reference) <= 1, f"{name}, {how}: {largest(drawn, reference)}"
+
+
+def always_in_pyvista(runner):
+    program = runner.of(sys.executable, "-B", str(HERE / "plots.py"))
+    for how in ("blending", "subplots", "shaded"):
+        always_draws_as_peeling(program, [how], [f"{how}-peeling"])
 
 
 def falls_back_to_peeling(runner):
@@ -165,16 +332,22 @@ def programs_without_vtk(runner):
 CASES = {case.__name__: case for case in (
     use_depth_peeling, a_dual_pass_of_its_own, a_single_pass_of_its_own, effects_of_the_renderer,
     passes_around_its_own, volumes, every_technique_takes_volumes, multi_sampled_windows,
-    options_reach_the_pass, another_version, never_asked, falls_back_to_peeling, bad_command_lines, programs_without_vtk)}
+    options_reach_the_pass, one_package_for_several_releases, no_drop_in_for_a_release, drop_ins_that_do_not_fit,
+    never_asked, never_reached, falls_back_to_peeling, bad_command_lines, programs_without_vtk,
+    always_a_renderer, always_where_peeling_is_switched_off, always_a_subclass_in_python, always_in_cxx,
+    always_multi_sampled, always_several_renderers, always_volumes, always_effects_of_the_renderer, always_passes,
+    always_leaves_what_was_asked_for, always_selects, always_every_technique)}
+if importlib.util.find_spec("pyvista"):
+    CASES["always_in_pyvista"] = always_in_pyvista
 
 
 def main():
     if sys.argv[1:] == ["--list"]:
         print("\n".join(CASES))
         return
-    command, other_version, case = sys.argv[1:]
+    command, preload, built, case = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
-        CASES[case](Runner(command, other_version, pathlib.Path(folder)))
+        CASES[case](Runner(command, preload, built, pathlib.Path(folder)))
 
 
 if __name__ == "__main__":

@@ -283,15 +283,20 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
   auto* run = app.add_subcommand(
     "run", "run a program that uses VTK: where it asks for depth peeling, it gets another technique");
   AddTechnique(run, arguments);
+  run->add_flag("--always", arguments.Always, "whether or not it asks for depth peeling");
   run->add_option("PROGRAM", arguments.Program, "the program and its arguments, behind --")->required()->expected(-1);
   run->footer(
     "Depth peeling is asked for by vtkRenderer::UseDepthPeelingOn, or by making a vtkDualDepthPeelingPass or a\n"
-    "vtkDepthPeelingPass. The program, in C++ or Python, stays as it is; it must use VTK " TRANSLUCENCY_VTK_VERSION
-    ", else it draws as\n"
-    "it would have, after a message. Its exit status is that of this command.\n"
+    "vtkDepthPeelingPass. With --always the technique draws what is translucent in every renderer, and in every pass\n"
+    "that would blend it. The program, in C++ or Python, stays as it is; it must use a release of VTK that a drop-in "
+    "is\n"
+    "there for (VTK " TRANSLUCENCY_VTK_VERSION
+    "), else it draws as it would have, after a message. Its exit status is that of this\n"
+    "command.\n"
     "Examples:\n"
     "  translucency run -- python3 script.py\n"
     "  translucency run --technique exact -- ./viewer scan.vtp\n"
+    "  translucency run --always -- f3d scan.vtp\n"
     "  xvfb-run translucency run --technique adaptive --nodes 8 -- python3 script.py   (without a display)");
 
   AddStorage(app, written, arguments);

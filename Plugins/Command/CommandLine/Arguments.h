@@ -52,6 +52,7 @@ struct Arguments
   BenchmarkSettings Frames;
 
   std::vector<std::string> Program; ///< run: with its arguments
+  bool Always = false;              ///< run: whether or not it asks for depth peeling
 
   // storage
   std::string Measured; ///< a histogram or a trace, if it is not a scene

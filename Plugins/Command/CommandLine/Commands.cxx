@@ -393,7 +393,7 @@ void RunCommand(const Arguments& arguments)
       RunBench(arguments);
       break;
     case Action::Run:
-      RunProgram(ChooseTechniqueOf(arguments), arguments.Program);
+      RunProgram(ChooseTechniqueOf(arguments), arguments.Always, arguments.Program);
       break;
     case Action::Schema:
       std::cout << (arguments.Schema == "histogram" ? Embedded::HistogramSchema : Embedded::SceneSchema);

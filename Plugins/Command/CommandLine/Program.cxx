@@ -27,7 +27,7 @@ std::string FindPreload()
 }
 
 //------------------------------------------------------------------------------
-void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>& program)
+void RunProgram(const TechniqueChoice& technique, bool always, const std::vector<std::string>& program)
 {
   nlohmann::json wanted = { { "technique", technique.Name }, { "options", nlohmann::json::object() } };
   for (const auto& setting : technique.Settings)
@@ -35,6 +35,7 @@ void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>
     wanted["options"][setting.first] = setting.second;
   }
   setenv("TRANSLUCENCY_TECHNIQUE", wanted.dump().c_str(), 1);
+  always ? setenv("TRANSLUCENCY_ALWAYS", "1", 1) : unsetenv("TRANSLUCENCY_ALWAYS");
   const char* others = std::getenv("LD_PRELOAD");
   setenv("LD_PRELOAD", (FindPreload() + (others ? ":" + std::string(others) : "")).c_str(), 1);
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Becomes the program, with the drop-in preloaded (Plugins/DropIn). Returns only by throwing Failure, if there is no
-/// such program.
-[[noreturn]] void RunProgram(const TechniqueChoice& technique, const std::vector<std::string>& program);
+/// Becomes the program, with the drop-in preloaded (Plugins/DropIn). Always: whether or not it asks for depth peeling.
+/// Returns only by throwing Failure, if there is no such program.
+[[noreturn]] void RunProgram(const TechniqueChoice& technique, bool always, const std::vector<std::string>& program);
 
 #endif
