@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // A program that knows nothing of this project and never asks for depth peeling, unless it is told to:
-//   blends FILE HOW
-// HOW: peeling (for comparison), renderer, or viewer: a class of renderer of its own that switches peeling off in each
+//   blends FILE HOW [peeling]
+// HOW: renderer, or viewer: a class of renderer of its own that switches peeling off in each
 // frame and draws by passes into a framebuffer of theirs, as F3D does.
 #include "vtkActor.h"
 #include "vtkCameraPass.h"
@@ -79,19 +79,20 @@ void AddBall(vtkRenderer* renderer, double x, double y, double z, const double (
 
 int main(int count, char** words)
 {
-  if (count != 3)
+  if (count < 3)
   {
     return 2;
   }
-  const std::string how = words[2];
+  const bool peeling = count > 3;
+  const bool viewer = !peeling && std::string(words[2]) == "viewer";
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();
   window->SetMultiSamples(0);
-  window->SetSize(160, 120);
-  auto renderer = how == "viewer" ? vtkSmartPointer<vtkRenderer>(vtkSmartPointer<Viewer>::New())
-                                  : vtkSmartPointer<vtkRenderer>::New();
+  window->SetSize(400, 300);
+  auto renderer =
+    viewer ? vtkSmartPointer<vtkRenderer>(vtkSmartPointer<Viewer>::New()) : vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(0.2, 0.3, 0.4);
-  renderer->SetUseDepthPeeling(how == "peeling");
+  renderer->SetUseDepthPeeling(peeling);
   renderer->SetMaximumNumberOfPeels(100);
   renderer->SetOcclusionRatio(0);
   window->AddRenderer(renderer);

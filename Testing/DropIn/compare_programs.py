@@ -7,13 +7,11 @@ own, that of the technique, and their difference; FOLDER/table.txt has the figur
 """
 
 import argparse
-import html
 import pathlib
 import subprocess
 import sys
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from pictures import difference, page, read
 
 # Those that ask for depth peeling, draw without the data that VTK's tests download, and end by themselves.
 PROGRAMS = [
@@ -69,33 +67,6 @@ def draw(program, binaries, folder, before):
     return (baseline if baseline.exists() else None), said
 
 
-def read(file):
-    reader = vtkPNGReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    image = vtkImageData()
-    image.DeepCopy(reader.GetOutput())
-    return image
-
-
-def difference(a, b, file):
-    """Writes the absolute difference times 8; gives the share of pixels within 3/255 and the largest difference."""
-    values = [memoryview(image.GetPointData().GetScalars()).cast("B") for image in (a, b)]
-    channels = a.GetPointData().GetScalars().GetNumberOfComponents()
-    differences = [abs(x - y) for x, y in zip(*values)]
-    pixels = [max(differences[i:i + channels]) for i in range(0, len(differences), channels)]
-    result = vtkImageData()
-    result.DeepCopy(a)
-    scalars = result.GetPointData().GetScalars()
-    for i, value in enumerate(differences):
-        scalars.SetValue(i, min(255, 8 * value))
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(file))
-    writer.SetInputData(result)
-    writer.Write()
-    return sum(pixel <= 3 for pixel in pixels) / len(pixels), max(pixels)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--command", type=pathlib.Path, required=True, help="the built translucency")
@@ -120,10 +91,8 @@ def main():
         rows.append((name, f"{share:8.3%} within 3/255, largest {largest}", said))
     table = "\n".join(f"{name:42} {what}" + "".join(f"\n    {line}" for line in said) for name, what, said in rows)
     (folder / "table.txt").write_text(table + "\n")
-    cells = "".join(f"<h2>{name}</h2><p>{html.escape(what)} {html.escape(' '.join(said))}</p>"
-                    f"<img src='stock/{name}.png'> <img src='drawn/{name}.png'> <img src='{name}-difference.png'>" for name, what, said in rows)
-    (folder / "index.html").write_text(f"<!doctype html><title>VTK's programs by {arguments.technique}</title>"
-                                       f"<p>As they are; by {arguments.technique}; the difference times 8.</p>{cells}\n")
+    page(folder / "index.html", f"VTK's programs by {arguments.technique}", ("as it is", f"by {arguments.technique}", "difference times 8"),
+         [(name, " ".join([what, *said]), (f"stock/{name}.png", f"drawn/{name}.png", f"{name}-difference.png")) for name, what, said in rows])
     print(table)
     return 0
 

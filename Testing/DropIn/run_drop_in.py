@@ -1,7 +1,8 @@
 """Tests of `translucency run`, by name: programs as they are and under the drop-in, pictures and messages.
 
     run_drop_in.py --list
-    run_drop_in.py COMMAND PRELOAD FOLDER CASE    PRELOAD: the preloaded library; FOLDER: what this folder's CMakeLists.txt has built
+    run_drop_in.py COMMAND PRELOAD FOLDER CMAKE BUILD CASE    PRELOAD: the preloaded library; FOLDER: what this folder's CMakeLists.txt has
+                                                              built; CMAKE: the command; BUILD: the build tree
 """
 
 import importlib.util
@@ -22,16 +23,17 @@ BACKGROUND = (51, 77, 102)
 
 
 class Runner:
-    def __init__(self, command, preload, built, folder, program=None):
+    def __init__(self, command, preload, built, install, folder, program=None):
         self.command = command
         self.preload = pathlib.Path(preload)
         self.built = pathlib.Path(built)
+        self.install = install
         self.folder = folder
         self.program = program or [sys.executable, "-B", str(HERE / "peels.py")]
 
     def of(self, *program):
         """The same with another program than peels.py."""
-        return Runner(self.command, self.preload, self.built, self.folder, list(program))
+        return Runner(self.command, self.preload, self.built, self.install, self.folder, list(program))
 
     def draw(self, how, before=(), environment=None):
         """The picture's bytes and what was said."""
@@ -170,6 +172,21 @@ def refuses(runner, preload, expected, version=None):
         assert said.count("\n") == 1 and expected in said and said.endswith("; it draws as it would have\n"), said
 
 
+def a_release_is_added_to_a_package(runner):
+    """The component is one folder that holds all that is needed, whichever place it is brought to."""
+    preload = pathlib.Path(runner.package(v1_2_3="libPretendedDropIn.so"))
+    subprocess.run([*runner.install, runner.folder / "installed"], check=True, capture_output=True)
+    files = [file for file in (runner.folder / "installed").rglob("*") if not file.is_dir()]
+    assert {file.parent.name for file in files} == {vtkVersion.GetVTKVersion()}, files
+    shutil.move(files[0].parent, preload.parent)
+    drop_in = preload.parent / vtkVersion.GetVTKVersion() / "libvtkTranslucencyDropIn.so"
+    needed = subprocess.run(["ldd", drop_in], capture_output=True, text=True, check=True).stdout
+    assert f"{drop_in.parent}/libvtkRenderingTranslucency.so" in needed and "not found" not in needed, needed
+    stock, _ = runner.draw(["renderer"])
+    drawn, said = runner.draw(["renderer"], environment={"LD_PRELOAD": str(preload)})
+    assert not said and 0 < largest(stock, drawn) <= 6, said
+
+
 def no_drop_in_for_a_release(runner):
     preload = runner.package(v1_2_3="libPretendedDropIn.so", **{own_version(): None})
     known = ", ".join(sorted(["1.2.3", vtkVersion.GetVTKVersion()]))
@@ -232,7 +249,7 @@ def always_a_subclass_in_python(runner):
 def always_in_cxx(runner):
     program = runner.of(str(runner.built / "blends"))
     for how in ("renderer", "viewer"):
-        always_draws_as_peeling(program, [how], ["peeling"])
+        always_draws_as_peeling(program, [how], [how, "peeling"])
 
 
 def always_multi_sampled(runner):
@@ -298,8 +315,8 @@ def always_every_technique(runner):
 
 def always_in_pyvista(runner):
     program = runner.of(sys.executable, "-B", str(HERE / "plots.py"))
-    for how in ("blending", "subplots", "shaded"):
-        always_draws_as_peeling(program, [how], [f"{how}-peeling"])
+    for how in ("one", "subplots", "shaded"):
+        always_draws_as_peeling(program, [how], [how, "peeling"])
 
 
 def falls_back_to_peeling(runner):
@@ -332,7 +349,7 @@ def programs_without_vtk(runner):
 CASES = {case.__name__: case for case in (
     use_depth_peeling, a_dual_pass_of_its_own, a_single_pass_of_its_own, effects_of_the_renderer,
     passes_around_its_own, volumes, every_technique_takes_volumes, multi_sampled_windows,
-    options_reach_the_pass, one_package_for_several_releases, no_drop_in_for_a_release, drop_ins_that_do_not_fit,
+    options_reach_the_pass, one_package_for_several_releases, a_release_is_added_to_a_package, no_drop_in_for_a_release, drop_ins_that_do_not_fit,
     never_asked, never_reached, falls_back_to_peeling, bad_command_lines, programs_without_vtk,
     always_a_renderer, always_where_peeling_is_switched_off, always_a_subclass_in_python, always_in_cxx,
     always_multi_sampled, always_several_renderers, always_volumes, always_effects_of_the_renderer, always_passes,
@@ -345,9 +362,10 @@ def main():
     if sys.argv[1:] == ["--list"]:
         print("\n".join(CASES))
         return
-    command, preload, built, case = sys.argv[1:]
+    command, preload, built, cmake, build, case = sys.argv[1:]
+    install = [cmake, "--install", build, "--component", "drop-in", "--prefix"]
     with tempfile.TemporaryDirectory() as folder:
-        CASES[case](Runner(command, preload, built, pathlib.Path(folder)))
+        CASES[case](Runner(command, preload, built, install, pathlib.Path(folder)))
 
 
 if __name__ == "__main__":
