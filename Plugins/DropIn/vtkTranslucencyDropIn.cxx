@@ -113,13 +113,12 @@ vtkRenderPass* GetTechnique(vtkRenderer* renderer)
 bool RenderTranslucent(const void* data)
 {
   const auto* state = static_cast<const vtkRenderState*>(data);
-  vtkRenderer* renderer = state->GetRenderer();
-  if (vtkTranslucencyDrawing::IsOn() || renderer->GetSelector() || IsDrawnForAnother(state))
+  if (vtkTranslucencyDrawing::IsOn() || IsDrawnForAnother(state))
   {
     return false;
   }
   const vtkTranslucencyDrawing drawing;
-  GetTechnique(renderer)->Render(state);
+  GetTechnique(state->GetRenderer())->Render(state);
   return true;
 }
 

@@ -151,6 +151,10 @@ def main():
     if how == "switched-off":
         renderer.AddObserver("StartEvent", lambda *_: renderer.UseDepthPeelingOff())
     window.Render()
+    time = renderer.GetMTime()
+    window.Render()
+    if renderer.GetMTime() != time:
+        print("drawing modifies the renderer", file=sys.stderr)
     if how == "selecting":
         select(renderer)
         window.Render()
@@ -162,7 +166,7 @@ def main():
     writer.SetFileName(file)
     writer.SetInputConnection(reader.GetOutputPort())
     writer.Write()
-    if renderer.GetUseDepthPeeling() != (how in ("renderer", "volumes", "layers")):
+    if (renderer.GetUseDepthPeeling(), renderer.GetUseDepthPeelingForVolumes()) != (how in ("renderer", "volumes", "layers"), how == "volumes"):
         print("somebody has changed whether the renderer peels", file=sys.stderr)
     return 7
 

@@ -315,8 +315,14 @@ def always_every_technique(runner):
 
 def always_in_pyvista(runner):
     program = runner.of(sys.executable, "-B", str(HERE / "plots.py"))
-    for how in ("one", "subplots", "shaded"):
+    for how in ("one", "subplots"):
         always_draws_as_peeling(program, [how], [how, "peeling"])
+    # Its effects are passes, which do not peel.
+    stock, _ = program.draw(["shaded"])
+    drawn, said = program.run(["shaded"], "--technique", "exact", "--always")
+    plain, said_plain = program.run(["shaded"], "--technique", "blend", "--always")
+    assert not said and not said_plain, said + said_plain
+    assert largest(stock, plain) <= 1 and largest(stock, drawn) > 10, f"{largest(stock, plain)} {largest(stock, drawn)}"
 
 
 def falls_back_to_peeling(runner):
