@@ -31,7 +31,7 @@ RANKS = (1, 2, 4)
 class Program(NamedTuple):
     needs: str      # a command on PATH, or a module of this Python behind "import "
     words: list     # with FILE for the picture
-    peeling: list   # the words with which it asks for depth peeling
+    peeling: list   # the words with which it asks for depth peeling; None where it can't be told to
 
 
 def script(name, *words):
@@ -46,11 +46,14 @@ def list_programs(application):
         "F3D": Program("f3d", ["f3d", MODEL, f"--output={FILE}", "--resolution={},{}".format(*SIZE), f"--opacity={OPACITY}", "--no-config",
                                "--scalar-coloring", "--coloring-array=Colors", "--coloring-component=-2"], ["--blending=ddp"]),
         "F3D, its package of Python": Program("import f3d", [sys.executable, *script("f3d_script.py", MODEL)], ["peeling"]),
-        "pvpython": Program("pvpython", ["pvpython", *script("paraview_script.py")], ["peeling"]),
     }
+    # ParaView's scripts find balls.py by PYTHONPATH only.
+    paraview = ["env", f"PYTHONPATH={PROGRAMS}"]
+    programs["ParaView's window"] = Program("paraview", [*paraview, f"PICTURE={FILE}", "paraview", f"--script={PROGRAMS / 'paraview_script.py'}"], None)
+    programs["pvpython"] = Program("pvpython", [*paraview, "pvpython", *script("paraview_script.py")], ["peeling"])
     for ranks in RANKS:
         mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)]
-        programs[f"pvbatch, {ranks} ranks"] = Program("pvbatch", [*mpi, "pvbatch", *script("paraview_script.py")], ["peeling"])
+        programs[f"pvbatch, {ranks} ranks"] = Program("pvbatch", [*paraview, *mpi, "pvbatch", *script("paraview_script.py")], ["peeling"])
     if application:
         programs["VTK, an application in C++"] = Program(application, [application, FILE, "viewer"], ["peeling"])
     return programs
@@ -73,7 +76,10 @@ def draw(words, file, model):
     said = [line for line in done.stderr.splitlines() if line.startswith("translucency run:")]
     if not file.exists():
         return None, [*said, f"no picture, status {done.returncode}: " + " ".join(done.stderr.split()[-40:])]
-    return read(file), said
+    picture = read(file)
+    if (picture == picture[0, 0]).all():
+        said.append(f"{file.name} is of one colour")
+    return picture, said
 
 
 def compare(a, b):
@@ -110,8 +116,9 @@ def main():
             continue
         files = [folder / "{}-{}.png".format("".join(filter(str.isalnum, name)), kind) for kind in ("stock", "peeling", "always")]
         pictures, said = [], []
-        for file, words in zip(files, ([*program.words], [*program.words, *program.peeling], [*run, *program.words])):
-            picture, sentences = draw(words, file, model)
+        asking = None if program.peeling is None else [*program.words, *program.peeling]
+        for file, words in zip(files, (program.words, asking, [*run, *program.words])):
+            picture, sentences = draw(words, file, model) if words else (None, [])
             pictures.append(picture)
             said += sentences
         stock, peeling, always = pictures

@@ -1,15 +1,17 @@
-"""paraview_script.py FILE [peeling]    By pvpython, or by pvbatch, whose ranks each have a part of every ball."""
+"""paraview_script.py FILE [peeling]
+
+By pvpython; by pvbatch, whose ranks each have a part of every ball; or by ParaView's window, which gives its scripts no arguments: there PICTURE in
+the environment names the file, and the window is closed in the end.
+"""
 
 import os
 import sys
 
-from paraview.simple import CreateRenderView, Render, SaveScreenshot, Show, Sphere, _DisableFirstRenderCameraReset
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from balls import BALLS, CAMERA, OPACITY, RADIUS, SIZE  # noqa: E402
+from balls import BALLS, CAMERA, OPACITY, RADIUS, SIZE
+from paraview.simple import GetActiveViewOrCreate, Render, SaveScreenshot, Show, Sphere, _DisableFirstRenderCameraReset
 
 _DisableFirstRenderCameraReset()
-view = CreateRenderView()
+view = GetActiveViewOrCreate("RenderView")
 view.ViewSize = SIZE
 view.OrientationAxesVisibility = 0
 view.UseColorPaletteForBackground = 0
@@ -23,4 +25,6 @@ for center, color in BALLS:
     display.AmbientColor = display.DiffuseColor = color
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = CAMERA
 Render(view)
-SaveScreenshot(sys.argv[1], view, ImageResolution=SIZE)
+SaveScreenshot(os.environ.get("PICTURE") or sys.argv[1], view, ImageResolution=SIZE)
+if "PICTURE" in os.environ:
+    os._exit(0)
