@@ -81,6 +81,50 @@ void vtkTranslucencyBlending::Keep(vtkOpenGLState* state, const vtkTranslucencyS
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkTranslucencyStage> vtkTranslucencyBlending::Split(const vtkTranslucencyStage& stage)
+{
+  std::vector<vtkTranslucencyStage> parts;
+  for (int buffer = 0; !stage.Differing.empty() && buffer < stage.Targets->GetCount(); ++buffer)
+  {
+    const auto differing = stage.Differing.find(buffer);
+    const auto blend = differing == stage.Differing.end() ? stage.Blend : differing->second.Blend;
+    auto alike = std::find_if(
+      parts.begin(), parts.end(), [blend](const vtkTranslucencyStage& part) { return part.Blend == blend; });
+    if (alike == parts.end())
+    {
+      alike = parts.insert(alike, stage);
+      alike->Blend = blend;
+      alike->Differing.clear();
+      for (int other = 0; other < stage.Targets->GetCount(); ++other)
+      {
+        alike->Masked.insert(other);
+      }
+    }
+    alike->Masked.erase(buffer);
+  }
+  return parts.empty() ? std::vector<vtkTranslucencyStage>{ stage } : parts;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBlending::Mask(const vtkTranslucencyStage& stage)
+{
+  for (int buffer = 0; !stage.Masked.empty() && buffer < stage.Targets->GetCount(); ++buffer)
+  {
+    const GLboolean drawn = stage.Masked.count(buffer) == 0 ? GL_TRUE : GL_FALSE;
+    glColorMaski(static_cast<GLuint>(buffer), drawn, drawn, drawn, drawn);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyBlending::Unmask(const vtkTranslucencyStage& stage)
+{
+  for (int buffer : stage.Masked)
+  {
+    glColorMaski(static_cast<GLuint>(buffer), GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyBlending::UseOneFunction()
 {
   const auto get = [](GLenum name)

@@ -21,6 +21,13 @@ public:
   /// The same if a mapper has set a function of its own since.
   static void Keep(vtkOpenGLState* state, const vtkTranslucencyStage& stage);
 
+  /// The stage as several, in each of which all buffers that are drawn to are blended alike; itself where they are.
+  static std::vector<vtkTranslucencyStage> Split(const vtkTranslucencyStage& stage);
+
+  /// Masks the buffers that a stage leaves alone, and takes the masks away. The cache knows of neither.
+  static void Mask(const vtkTranslucencyStage& stage);
+  static void Unmask(const vtkTranslucencyStage& stage);
+
   /// Blends all buffers as the first one, as the cache has it.
   static void UseOneFunction();
 };

@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
+#include <map>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -78,12 +78,8 @@ bool vtkTranslucencyCapabilities::IsRasterizer(const std::string& renderer)
 }
 
 //------------------------------------------------------------------------------
-vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow* window)
+void vtkTranslucencyCapabilities::FindMissing(const std::set<std::string>& extensions)
 {
-  vtkTranslucencyCapabilities result;
-  result.Renderer = window->GetState()->GetRenderer();
-
-  const std::set<std::string> extensions = Extensions();
   const auto missing = [&extensions](const std::vector<std::string>& needed)
   {
     std::string names;
@@ -96,15 +92,55 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
     }
     return names;
   };
-  result.MissingForStorage = missing(
+  this->MissingForTargets = missing({ "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" });
+  this->MissingForStorage = missing(
     { "GL_ARB_shader_storage_buffer_object", "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack",
       "GL_ARB_shading_language_packing", "GL_ARB_shader_bit_encoding", "GL_ARB_gpu_shader5", "GL_ARB_sample_shading",
       "GL_ARB_clear_buffer_object", "GL_ARB_texture_buffer_object_rgb32" });
-  result.MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
-  result.MissingForBuffers = missing({ "GL_ARB_draw_buffers_blend", "GL_ARB_explicit_attrib_location" });
-  result.MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
-  result.MissingForFetch = missing({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_explicit_attrib_location" });
-  result.MissingForRetries = missing({ "GL_ARB_ES3_1_compatibility" }); // gl_HelperInvocation
+  this->MissingForSamples = missing({ "GL_ARB_post_depth_coverage" });
+  this->BlendsBuffersApart = missing({ "GL_ARB_draw_buffers_blend" }).empty();
+  this->ShadesSamples = missing({ "GL_ARB_sample_shading" }).empty();
+  this->MissingForTransmission = missing({ "GL_ARB_blend_func_extended", "GL_ARB_explicit_attrib_location" });
+  this->MissingForFetch = missing({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_explicit_attrib_location" });
+  this->MissingForRetries = missing({ "GL_ARB_ES3_1_compatibility" }); // gl_HelperInvocation
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyCapabilities vtkTranslucencyCapabilities::OfVersion(int major, int minor)
+{
+  // The version of OpenGL of which each has become a part, as its specification says.
+  const std::map<std::string, std::pair<int, int>> parts{ { "GL_ARB_blend_func_extended", { 3, 3 } },
+    { "GL_ARB_explicit_attrib_location", { 3, 3 } }, { "GL_ARB_shader_bit_encoding", { 3, 3 } },
+    { "GL_ARB_draw_buffers_blend", { 4, 0 } }, { "GL_ARB_gpu_shader5", { 4, 0 } },
+    { "GL_ARB_sample_shading", { 4, 0 } }, { "GL_ARB_texture_buffer_object_rgb32", { 4, 0 } },
+    { "GL_ARB_shader_image_load_store", { 4, 2 } }, { "GL_ARB_shading_language_420pack", { 4, 2 } },
+    { "GL_ARB_shading_language_packing", { 4, 2 } }, { "GL_ARB_clear_buffer_object", { 4, 3 } },
+    { "GL_ARB_shader_storage_buffer_object", { 4, 3 } }, { "GL_ARB_ES3_1_compatibility", { 4, 5 } } };
+  std::set<std::string> extensions;
+  for (const auto& [extension, version] : parts)
+  {
+    if (version <= std::make_pair(major, minor))
+    {
+      extensions.insert(extension);
+    }
+  }
+  vtkTranslucencyCapabilities result;
+  result.FindMissing(extensions);
+  result.Renderer = "OpenGL " + std::to_string(major) + "." + std::to_string(minor);
+  result.MaximumTargets = MostTargets; // OpenGL 3.0 promises 8
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWindow* window)
+{
+  vtkTranslucencyCapabilities result;
+  result.Renderer = window->GetState()->GetRenderer();
+
+  const std::set<std::string> extensions = Extensions();
+  result.FindMissing(extensions);
+  // Before OpenGL 4.0 the extension's functions have other names.
+  result.BlendsBuffersApart = result.BlendsBuffersApart && glBlendEquationi && glBlendFuncSeparatei;
   Try("TRIAL_STORAGE", "storage blocks", result.MissingForStorage);
   GLint drawn = 0;
   GLint attached = 0;

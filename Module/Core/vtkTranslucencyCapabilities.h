@@ -13,6 +13,7 @@
 #include "vtkTranslucencyABINamespace.h"
 #include "vtkType.h"
 
+#include <set>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -20,14 +21,23 @@ class vtkOpenGLRenderWindow;
 
 struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
 {
-  /// What fragment storage needs and the driver lacks, as extension names separated by ", "; empty if nothing.
+  /// What every technique needs and the driver lacks, as extension names separated by ", "; empty if nothing. Some
+  /// techniques need no more: those that draw to targets.
+  std::string MissingForTargets;
+
+  /// What fragment storage needs, in the same way.
   std::string MissingForStorage;
 
   /// What coverage masks need and the driver lacks, in the same way.
   std::string MissingForSamples;
 
-  /// What it needs to draw to several buffers at once, each with a blending of its own, in the same way.
-  std::string MissingForBuffers;
+  /// Whether several buffers can be drawn to at once, each with a blending of its own; if not, the geometry is drawn
+  /// for each blending (vtkTranslucencyDrawings).
+  bool BlendsBuffersApart = false;
+
+  /// Whether a shader can run once for each sample of a pixel, as it does where it reads targets of several samples; if
+  /// not, what it draws is drawn for each sample (vtkTranslucencyDrawings).
+  bool ShadesSamples = false;
 
   /// What blending with a transmittance of red, green and blue each needs, in the same way.
   std::string MissingForTransmission;
@@ -81,6 +91,12 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
 
   /// Probes the window's context, which must be current.
   static vtkTranslucencyCapabilities Probe(vtkOpenGLRenderWindow* window);
+
+  /// Those that a driver of this version of OpenGL has, and nothing beyond it.
+  static vtkTranslucencyCapabilities OfVersion(int major, int minor);
+
+private:
+  void FindMissing(const std::set<std::string>& extensions);
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyFrame.h"
 
-#include "Common/Bindings.glsl"
 #include "vtkFragmentStorage.h"
+#include "vtkTranslucencyDrawings.h"
 #include "vtkTranslucencyFingerprint.h"
 #include "vtkTranslucencyFrameShaders.h"
 #include "vtkTranslucencyGLState.h"
@@ -32,7 +32,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources,
-  const vtkRenderState* state, vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found)
+  const vtkRenderState* state, vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found, bool usesStorage)
   : Pass(pass)
   , Resources(resources)
   , Picture(found.GetViewport())
@@ -49,7 +49,7 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslu
   resources.Resolved.BeginFrame();
   resources.GatherTime = -1;
   resources.ResolveTime = -1;
-  this->Shaders->ChooseSamples(pass);
+  this->Shaders->ChooseSamples(pass, usesStorage);
   this->ChooseTransmission();
 }
 
@@ -86,20 +86,17 @@ void vtkTranslucencyFrame::UseTile()
 {
   vtkTranslucencyResources& kept = this->Resources;
   const Rectangle& tile = this->GetTile();
-  struct
-  {
-    Rectangle Tile;
-    std::array<float, 4> Clipping;
-  } block{ tile, { { 1, 1, 0, 0 } } };
+  std::array<float, 4> numbers;
+  std::copy(tile.begin(), tile.end(), numbers.begin());
+  std::array<float, 4> clipping{ { 1, 1, 0, 0 } };
   vtkCamera* camera = this->State->GetRenderer()->GetActiveCamera();
   if (!camera->GetParallelProjection())
   {
     const double* range = camera->GetClippingRange();
-    block.Clipping[0] = static_cast<float>(range[0]);
-    block.Clipping[1] = static_cast<float>(range[1]);
+    clipping[0] = static_cast<float>(range[0]);
+    clipping[1] = static_cast<float>(range[1]);
   }
-  kept.FrameBlock.Upload(&block, sizeof(block));
-  kept.FrameBlock.BindUniform(UNIFORM_BINDING_FRAME);
+  kept.Mappers->SetFrameValues({ { "frameTileNumbers", numbers }, { "frameClipping", clipping } });
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(tile[0], tile[1], tile[2], tile[3]);
@@ -305,13 +302,14 @@ bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::UseTable(vtkTranslucencyBuffer& table, const std::vector<unsigned int>& words)
+bool vtkTranslucencyFrame::UseTable(vtkTranslucencyTargets& table, int columns, const std::vector<unsigned int>& words)
 {
-  if (!table.Upload(words.data(), static_cast<vtkTypeInt64>(words.size() * sizeof(unsigned int))))
+  const int rows = static_cast<int>(words.size()) / columns;
+  if (!table.Reserve(columns, rows, 1, { vtkTranslucencyTargets::Format::Word1 }))
   {
     return this->Fail("the driver has no memory for a table of " + std::to_string(words.size()) + " words");
   }
-  table.BindStorage(STORAGE_BINDING_TABLE);
+  table.Write(words);
   return true;
 }
 
@@ -394,13 +392,20 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
   const vtkTranslucencyScopedTextures bound(this->Window, stage.Inputs);
   vtkTranslucencyShader::SetUniforms(program, stage.Values);
   vtkTranslucencyShader::SetUniforms(program, bound.GetUnits());
+  vtkTranslucencyShader::SetUniforms(program, kept.Mappers->GetFrameValues());
   this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  this->Geometry->PrepareColors(stage);
   if (any)
   {
     *any = false;
   }
-  vtkTranslucencyDrawAndAsk(any, [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); });
+  const int samples = stage.Inputs.empty() ? 1 : this->Shaders->GetContext().TargetSamples;
+  vtkTranslucencyDrawings::Each(stage, kept.Capabilities, samples,
+    [&](const Stage& drawn, int sample)
+    {
+      vtkTranslucencyShader::SetUniforms(program, { { "targetSample", sample } });
+      this->Geometry->PrepareColors(drawn);
+      vtkTranslucencyDrawAndAsk(any, [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); });
+    });
   this->FinishRecords();
   kept.Statistics->SetScreenPasses(kept.Statistics->GetScreenPasses() + 1);
   return true;

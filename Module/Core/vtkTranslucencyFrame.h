@@ -67,7 +67,7 @@ public:
   using Fetched = vtkTranslucencyPixels::Fetched;
 
   vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslucencyResources& resources, const vtkRenderState* state,
-    vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found);
+    vtkOpenGLRenderWindow* window, const vtkTranslucencyGLState& found, bool usesStorage);
   ~vtkTranslucencyFrame();
 
   /// Draws the translucent props into the storage, in as many tiles as it takes. Whether all fragments have found room
@@ -93,8 +93,8 @@ public:
   /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
   bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
 
-  /// Gives the shaders words to read (STORAGE_BINDING_TABLE in Shaders/Common/Bindings.glsl).
-  bool UseTable(vtkTranslucencyBuffer& table, const std::vector<unsigned int>& words);
+  /// Makes a table of words, row by row, that stages can read as an input: a usampler2D.
+  bool UseTable(vtkTranslucencyTargets& table, int columns, const std::vector<unsigned int>& words);
 
   /// The translucent props, in the order of drawing.
   std::vector<vtkProp*> GetProps() const;
@@ -108,8 +108,8 @@ public:
   bool Draw(const Gathering& gathering, const Stage& stage, bool* any = nullptr);
 
   /// Runs a shader with a main function of its own over the tile, of which each output goes to a buffer of the stage's
-  /// targets. Several outputs need locations, and so Capabilities.MissingForBuffers to be empty. If any is given it
-  /// becomes whether the shader has left a fragment that it did not discard; that waits for it.
+  /// targets. If any is given it becomes whether the shader has left a fragment that it did not discard; that waits for
+  /// it.
   bool DrawScreen(const std::string& file, const Defines& defines, const Stage& stage, bool* any = nullptr);
 
   /// Clears a stage's targets.

@@ -82,7 +82,7 @@ bool vtkTranslucencyFrameShaders::Fail(const std::string& error)
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyFrameShaders::ChooseSamples(vtkObject* pass)
+void vtkTranslucencyFrameShaders::ChooseSamples(vtkObject* pass, bool storage)
 {
   vtkTranslucencyResources& kept = this->Resources;
   GLint samples = 0;
@@ -93,7 +93,7 @@ void vtkTranslucencyFrameShaders::ChooseSamples(vtkObject* pass)
   {
     missing = "windows of at most " + std::to_string(MostSamples) + " samples";
   }
-  if (samples <= 1 || missing.empty())
+  if (samples <= 1 || !storage || missing.empty())
   {
     this->Current.Samples = this->Current.TargetSamples;
   }
@@ -134,6 +134,7 @@ vtkTranslucencyFrameShaders::Defines vtkTranslucencyFrameShaders::GetOfferedDefi
   offered["TRANSMITTANCE_CHANNELS"] = std::to_string(context.Channels);
   offered["SAMPLES"] = std::to_string(context.Samples);
   offered["TARGET_SAMPLES"] = std::to_string(context.TargetSamples);
+  offered["SHADES_SAMPLES"] = this->Resources.Capabilities.ShadesSamples ? "1" : "0";
   offered["RECORD_TARGETS"] = std::to_string(context.RecordTargets);
   offered["NODE_LINKS"] = std::to_string(static_cast<int>(vtkFragmentStorage::Links::None));
   offered["FRAGMENT_ORDER"] =
@@ -267,8 +268,7 @@ vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareHandOver()
     {
       vtkTranslucencyShader fragment;
       vtkTranslucencyShader vertex;
-      if (!fragment.Assemble(file, { { "HAND_OVER_SAMPLES", std::to_string(this->Current.TargetSamples) } }) ||
-        !vertex.Assemble("Common/FullScreen.glsl", {}))
+      if (!fragment.Assemble(file, {}, this->GetOfferedDefines()) || !vertex.Assemble("Common/FullScreen.glsl", {}))
       {
         return this->Fail(fragment.GetError() + vertex.GetError());
       }

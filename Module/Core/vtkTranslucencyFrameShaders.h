@@ -36,8 +36,9 @@ public:
     int TargetSamples = 1;                 ///< that it has
     int RecordTargets = 0;                 ///< colours in which records of pixels lie, if they lie in colours
   };
-  /// The samples of what is bound; one, with a warning in the pass's name, where the driver can't tell them apart.
-  void ChooseSamples(vtkObject* pass);
+  /// The samples of what is bound. Where storage tells them apart, which wants their masks, one, with a warning in the
+  /// pass's name, if the driver has none.
+  void ChooseSamples(vtkObject* pass, bool storage);
 
   Context& GetContext() { return this->Current; }
   const Context& GetContext() const { return this->Current; }

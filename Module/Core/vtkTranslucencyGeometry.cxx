@@ -3,6 +3,7 @@
 #include "vtkTranslucencyGeometry.h"
 
 #include "vtkTranslucencyBlending.h"
+#include "vtkTranslucencyDrawings.h"
 #include "vtkTranslucencyFrameShaders.h"
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyQuery.h"
@@ -67,6 +68,7 @@ void vtkTranslucencyGeometry::PrepareColors(const vtkTranslucencyStage& stage)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->SetEnumState(GL_BLEND, stage.Blend != vtkTranslucencyStage::Blending::Replace);
   vtkTranslucencyBlending::Set(state, stage);
+  vtkTranslucencyBlending::Mask(stage);
   if (stage.HidesBehind)
   {
     state->vtkglEnable(GL_DEPTH_TEST);
@@ -86,7 +88,6 @@ void vtkTranslucencyGeometry::Prepare(const vtkTranslucencyStage& stage, bool co
 //------------------------------------------------------------------------------
 void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool colors, bool* any)
 {
-  using Faces = vtkTranslucencyStage::Faces;
   vtkTranslucencyResources& kept = this->Resources;
   vtkTranslucencyMapperHook::Drawing& drawing = kept.Mappers->GetDrawing();
   const vtkTranslucencyScopedTimer timer(this->Pass->GetMeasureTimes(), kept.GatherTime);
@@ -96,8 +97,44 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
     kept.Mappers->SetError(this->Shaders.GetError());
     return;
   }
-  this->Prepare(stage, colors);
   drawing.WritesDepth = stage.HidesBehind;
+  vtkTranslucencyOpaqueDepth& opaque = kept.Mappers->GetOpaqueDepth();
+  if (opaque.IsCaptured()) // by the first drawing of the frame
+  {
+    opaque.Activate();
+  }
+  if (colors && !stage.Targets) // what goes over the opaque picture can't be drawn again
+  {
+    kept.Unreached.Warn(this->Pass,
+      kept.Unreached.LookAhead(this->State, this->Window,
+        [&](const vtkRenderState* some) { kept.Mappers->Draw(some, this->Pass->GetTranslucentPass()); }));
+  }
+  if (any)
+  {
+    *any = false;
+  }
+  // What reads targets, or layers of props that are drawn by themselves, reads a sample of them.
+  const bool reads = !stage.Inputs.empty() || kept.Unreached.HasAny(this->State);
+  const int samples = reads ? this->Shaders.GetContext().TargetSamples : 1;
+  vtkTranslucencyDrawings::Each(stage, kept.Capabilities, samples,
+    [&](const vtkTranslucencyStage& drawn, int sample)
+    {
+      drawing.Values["targetSample"] = sample;
+      this->DrawOnce(drawn, colors, any);
+    });
+  if (opaque.IsCaptured())
+  {
+    opaque.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyGeometry::DrawOnce(const vtkTranslucencyStage& stage, bool colors, bool* any)
+{
+  using Faces = vtkTranslucencyStage::Faces;
+  vtkTranslucencyResources& kept = this->Resources;
+  vtkTranslucencyMapperHook::Drawing& drawing = kept.Mappers->GetDrawing();
+  this->Prepare(stage, colors);
   drawing.KeepBlending = [this, &stage, colors]
   {
     if (colors)
@@ -105,23 +142,8 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
       vtkTranslucencyBlending::Keep(this->Window->GetState(), stage);
     }
   };
-  vtkTranslucencyOpaqueDepth& opaque = kept.Mappers->GetOpaqueDepth();
-  if (opaque.IsCaptured()) // by the first drawing of the frame
-  {
-    opaque.Activate();
-  }
   kept.RenderedProps = 0;
-  if (colors && !stage.Targets) // what goes over the opaque picture can't be drawn again
-  {
-    kept.Unreached.Warn(this->Pass,
-      kept.Unreached.LookAhead(this->State, this->Window,
-        [&](const vtkRenderState* some) { kept.Mappers->Draw(some, this->Pass->GetTranslucentPass()); }));
-  }
   drawing.Values["gatherLayer"] = 0;
-  if (any)
-  {
-    *any = false;
-  }
   if (stage.Parts.empty())
   {
     this->DrawProps(this->State, stage, colors, any);
@@ -139,10 +161,6 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
       this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
     }
     drawing.Faces = Faces::All;
-  }
-  if (opaque.IsCaptured())
-  {
-    opaque.Deactivate();
   }
   drawing.KeepBlending = [] {};
   kept.Statistics->SetGeometryPasses(kept.Statistics->GetGeometryPasses() + 1);
@@ -199,6 +217,7 @@ void vtkTranslucencyGeometry::DrawUnreached(vtkProp* prop, const vtkTranslucency
   vtkTranslucencySetProps(one, props, this->State);
   const auto drawProp = [&] { this->Pass->GetTranslucentPass()->Render(&one); };
   int layer = 0;
+  vtkTranslucencyBlending::Unmask(stage);
   while (layers.Draw(this->Window, kept.Unreached.GetWatch(), layer, drawProp))
   {
     if (layer == vtkTranslucencyLayers::Most)
@@ -213,6 +232,7 @@ void vtkTranslucencyGeometry::DrawUnreached(vtkProp* prop, const vtkTranslucency
       return;
     }
     ++layer;
+    vtkTranslucencyBlending::Unmask(stage);
   }
   kept.Mappers->GetDrawing().Values["gatherLayer"] = 0;
   this->Prepare(stage, colors); // for what is drawn next

@@ -42,6 +42,7 @@ private:
   bool NeedsDepthTest();
   void PrepareDrawing();
   void Prepare(const vtkTranslucencyStage& stage, bool colors);
+  void DrawOnce(const vtkTranslucencyStage& stage, bool colors, bool* any);
   void DrawProps(const vtkRenderState* state, const vtkTranslucencyStage& stage, bool colors, bool* any);
   void DrawUnreached(vtkProp* prop, const vtkTranslucencyStage& stage, bool colors, bool* any);
   bool HandOver(vtkProp* prop, int layer, bool* any);

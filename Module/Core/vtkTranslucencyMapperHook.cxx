@@ -168,6 +168,7 @@ bool vtkTranslucencyMapperHook::SetShaderParameters(
   if (vtkTranslucencyVolumes::IsRayCaster(mapper))
   {
     this->Volumes.SetShaderParameters(program);
+    vtkTranslucencyShader::SetUniforms(program, this->FrameValues);
     return true;
   }
   return this->SetParameters(program, prop);
@@ -181,6 +182,7 @@ bool vtkTranslucencyMapperHook::SetParameters(vtkShaderProgram* program, vtkProp
   state->vtkglDepthMask(this->Current.WritesDepth ? GL_TRUE : GL_FALSE);
   this->Current.KeepBlending(); // vtkPointGaussianMapper has set its own, if it is emissive
   CullFaces(state, this->Current.Faces, prop);
+  vtkTranslucencyShader::SetUniforms(program, this->FrameValues);
   vtkTranslucencyShader::SetUniforms(program, this->Current.Values);
   if (program->IsUniformUsed("gatherTransmission"))
   {

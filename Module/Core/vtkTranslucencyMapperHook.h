@@ -55,6 +55,10 @@ public:
   };
   Drawing& GetDrawing() { return this->Current; }
 
+  /// What all programs of a tile are given: Shaders/Common/Frame.glsl.
+  void SetFrameValues(const vtkTranslucencyShader::Uniforms& values) { this->FrameValues = values; }
+  const vtkTranslucencyShader::Uniforms& GetFrameValues() const { return this->FrameValues; }
+
   void BeginFrame(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport);
 
   /// Draws the props of a state with the text in their shaders, by a pass or a function.
@@ -103,6 +107,7 @@ private:
   GatherText Text;
   vtkTimeStamp TextTime;
   Drawing Current;
+  vtkTranslucencyShader::Uniforms FrameValues;
   bool Draws = false;                      // while Draw lasts
   vtkOpenGLRenderWindow* Window = nullptr; // of the frame
   vtkTranslucencyOpaqueDepth OpaqueDepth;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyPass.h"
 
+#include "vtkTranslucencyFallback.h"
 #include "vtkTranslucencyFirstAttachment.h"
 #include "vtkTranslucencyFrame.h"
 #include "vtkTranslucencyGLState.h"
@@ -70,7 +71,9 @@ struct vtkTranslucencyPass::Internals
   vtkSmartPointer<vtkTranslucencyRenderStepsPass> Steps;
   vtkNew<vtkVolumetricPass> VolumesAlone;
 
-  vtkSmartPointer<vtkDepthPeelingPass> Peeling; // the fallback
+  vtkSmartPointer<vtkTranslucencyPass> Other;   // the fallback
+  bool StandsIn = false;                        // whether this pass is one
+  vtkSmartPointer<vtkDepthPeelingPass> Peeling; // where that fails
   vtkTranslucencyPeelingGuard Guard;
 
   // What was last warned of: the reason for a fallback, and volumes that are drawn over the surfaces.
@@ -128,7 +131,8 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
   // VTK's passes want their window, also one that is about to go and has lost its weak pointers: not all that they have
   // follows it.
   for (vtkRenderPass* pass : { static_cast<vtkRenderPass*>(this->TranslucentPass), this->VolumetricPass,
-         static_cast<vtkRenderPass*>(this->Internal->Peeling), static_cast<vtkRenderPass*>(this->Internal->Steps) })
+         static_cast<vtkRenderPass*>(this->Internal->Other), static_cast<vtkRenderPass*>(this->Internal->Peeling),
+         static_cast<vtkRenderPass*>(this->Internal->Steps) })
   {
     if (pass && window)
     {
@@ -136,6 +140,7 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
     }
   }
   kept.Release(alive);
+  this->Internal->Other = nullptr;
   this->Internal->Peeling = nullptr;
   if (alive)
   {
@@ -215,7 +220,25 @@ std::string vtkTranslucencyPass::GetOptionHelp(int index)
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyPass::GetMissing(vtkOpenGLRenderWindow* window)
 {
-  return this->GetCapabilities(window).MissingForStorage;
+  return this->FindMissing(this->GetCapabilities(window));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::GetMissing(int major, int minor)
+{
+  return this->FindMissing(vtkTranslucencyCapabilities::OfVersion(major, minor));
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyPass::UsesStorage(const vtkTranslucencyCapabilities&) const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyPass::FindMissing(const vtkTranslucencyCapabilities& capabilities) const
+{
+  return this->UsesStorage(capabilities) ? capabilities.MissingForStorage : capabilities.MissingForTargets;
 }
 
 //------------------------------------------------------------------------------
@@ -238,9 +261,8 @@ vtkTranslucencyOption vtkTranslucencyPass::GetCriticalSectionOption()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTranslucencyPass::GetMissingForCriticalSection(vtkOpenGLRenderWindow* window)
+std::string vtkTranslucencyPass::FindMissingForCriticalSection(const vtkTranslucencyCapabilities& capabilities) const
 {
-  const vtkTranslucencyCapabilities& capabilities = this->GetCapabilities(window);
   if (this->CriticalSection == Interlock)
   {
     return capabilities.Interlock.empty() ? "GL_ARB_fragment_shader_interlock" : "";
@@ -369,11 +391,12 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
   const bool surfaces = HasTranslucentGeometry(state);
   if (surfaces && !renderer->GetSelector())
   {
-    const std::string driver = this->GetCapabilities(window).Renderer;
-    const std::string missing = this->GetMissing(window);
+    const vtkTranslucencyCapabilities& capabilities = this->GetCapabilities(window);
+    this->HasStorage = capabilities.MissingForStorage.empty();
+    const std::string missing = this->FindMissing(capabilities);
     if (!missing.empty())
     {
-      this->RenderFallback(state, volumetricPass, "the driver (" + driver + ") lacks " + missing, true);
+      this->RenderFallback(state, volumetricPass, "the driver (" + capabilities.Renderer + ") lacks " + missing, true);
       return;
     }
     kept.Mappers->GetVolumes().Find(state, volumetricPass, this->DividesVolumes());
@@ -394,8 +417,9 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyPass::RenderTiles(const vtkRenderState* state, vtkOpenGLRenderWindow* window, bool& whole)
 {
-  const vtkTranslucencyGLState found(window, true);
-  vtkTranslucencyFrame frame(this, this->Internal->Resources, state, window, found);
+  const vtkTranslucencyGLState found(window, this->HasStorage);
+  vtkTranslucencyFrame frame(
+    this, this->Internal->Resources, state, window, found, this->UsesStorage(this->Internal->Resources.Capabilities));
   std::string error;
   whole = true; // nothing has been composited yet
   int tiles = 0;
@@ -425,7 +449,7 @@ bool vtkTranslucencyPass::FindUnreached(const vtkRenderState* state, vtkOpenGLRe
   {
     return false;
   }
-  const vtkTranslucencyGLState found(window, true);
+  const vtkTranslucencyGLState found(window, this->HasStorage);
   const std::string props = kept.Unreached.Find(
     state, window, [&](const vtkRenderState* one) { kept.Mappers->Draw(one, this->TranslucentPass); });
   kept.Unreached.Warn(this, props);
@@ -478,27 +502,62 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyPass::SayFallback(const std::string& reason, bool lacking, const std::string& instead)
+{
+  if (this->Internal->Fallback != reason && lacking)
+  {
+    vtkWarningMacro(<< reason << "; drawing by " << instead << " instead");
+  }
+  else if (this->Internal->Fallback != reason)
+  {
+    vtkErrorMacro(<< reason << "; drawing by " << instead << " instead");
+  }
+  this->Internal->Fallback = reason;
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyPass::RenderFallback(
   const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking)
 {
   vtkTranslucencyResources& kept = this->Internal->Resources;
+  vtkSmartPointer<vtkTranslucencyPass>& other = this->Internal->Other;
+  if (this->Internal->StandsIn || !kept.Capabilities.MissingForTargets.empty())
+  {
+    this->RenderByVTK(state, volumetricPass, reason, lacking);
+    return;
+  }
+  this->SayFallback(reason, lacking, "depth peeling");
+  if (!other)
+  {
+    other.TakeReference(vtkTranslucencyNewFallback());
+    other->Internal->StandsIn = true;
+  }
+  other->SetTranslucentPass(this->TranslucentPass);
+  other->SetMeasureTimes(this->MeasureTimes);
+  other->RenderTranslucent(state, volumetricPass);
+  kept.Statistics->Copy(other->GetStatistics());
+  if (kept.Statistics->GetFallback().empty())
+  {
+    kept.Statistics->SetFallback("peeling");
+  }
+  this->NumberOfRenderedProps = other->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// By what VTK has, where the fallback can't draw, either.
+void vtkTranslucencyPass::RenderByVTK(
+  const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking)
+{
+  vtkTranslucencyResources& kept = this->Internal->Resources;
   vtkSmartPointer<vtkDepthPeelingPass>& peeling = this->Internal->Peeling;
-  const vtkTranslucencyGLState found(kept.Window, kept.Capabilities.MissingForStorage.empty());
+  const vtkTranslucencyGLState found(kept.Window, this->HasStorage);
   // Depth peeling copies the depth buffer, which fails where it is multi-sampled: nothing would be drawn.
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool peel = samples == 0;
-  const std::string instead = reason + "; drawing by " + (peel ? "depth peeling" : "blending, in drawing order") +
-    " instead" + (vtkTranslucencyTransmission::CountProps(state).Props > 0 ? ", without transmission colours" : "");
-  if (this->Internal->Fallback != reason && lacking)
-  {
-    vtkWarningMacro(<< instead);
-  }
-  else if (this->Internal->Fallback != reason)
-  {
-    vtkErrorMacro(<< instead);
-  }
-  this->Internal->Fallback = reason;
+  this->SayFallback(reason, lacking,
+    std::string(peel ? "VTK's depth peeling" : "blending, in drawing order,") +
+      (vtkTranslucencyTransmission::CountProps(state).Props > 0 ? " without transmission colours" : ""));
   kept.Statistics->SetFallback(peel ? "peeling" : "blending");
   vtkRenderPass* drawing = this->TranslucentPass;
   if (peel)

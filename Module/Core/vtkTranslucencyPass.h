@@ -36,8 +36,9 @@
  * (vtkTranslucencyUnreached, vtkTranslucencyLayers): all techniques draw them where they are, with up to 255 layers a
  * pixel.
  *
- * Where the driver lacks what a technique needs, the frame is drawn by depth peeling (vtkDepthPeelingPass) or, failing
- * that, by plain blending, with one warning that names what is missing; GetStatistics()->GetFallback() tells which.
+ * Where the driver lacks what a technique needs, the frame is drawn by depth peeling (vtkDepthPeelPass, which needs
+ * least) or, failing that, by VTK's depth peeling or plain blending, with one warning that names what is missing;
+ * GetStatistics()->GetFallback() tells which.
  * During hardware selection the geometry is drawn plainly.
  */
 #ifndef vtkTranslucencyPass_h
@@ -143,11 +144,14 @@ public:
    */
   virtual std::vector<vtkTranslucencyOption> GetOptions();
 
+  ///@{
   /**
-   * Empty if the driver behind the window can run this technique, else what it lacks: here, what all techniques need.
-   * The window's context must be current.
+   * Empty if the driver behind the window can run this technique, with its present options, else what it lacks. The
+   * window's context must be current. The same of a driver that has an OpenGL of this version, and nothing beyond it.
    */
-  virtual std::string GetMissing(vtkOpenGLRenderWindow* window);
+  std::string GetMissing(vtkOpenGLRenderWindow* window);
+  std::string GetMissing(int major, int minor);
+  ///@}
 
   ///@{
   /**
@@ -199,10 +203,21 @@ protected:
   virtual bool DividesVolumes() const { return false; }
 
   /**
-   * The option critical_section, and what the driver lacks for its value: for techniques that keep records of pixels.
+   * Whether the technique, with its present options, keeps fragments, or records of pixels, in storage buffers. If not
+   * it draws to targets, or over the picture, which each driver can.
+   */
+  virtual bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const;
+
+  /**
+   * What a driver lacks, empty if nothing: here, what storage needs, or targets.
+   */
+  virtual std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const;
+
+  /**
+   * The option critical_section, and what a driver lacks for its value: for techniques that keep records of pixels.
    */
   vtkTranslucencyOption GetCriticalSectionOption();
-  std::string GetMissingForCriticalSection(vtkOpenGLRenderWindow* window);
+  std::string FindMissingForCriticalSection(const vtkTranslucencyCapabilities& capabilities) const;
 
   /**
    * What the driver behind the window can do.
@@ -220,6 +235,7 @@ protected:
   vtkRenderPass* VolumetricPass = nullptr;
   bool MeasureTimes = false;
   int CriticalSection = Automatic;
+  bool HasStorage = true; // of the driver that has drawn last; true before
 
 private:
   vtkTranslucencyPass(const vtkTranslucencyPass&) = delete;
@@ -232,8 +248,10 @@ private:
   // Whether props were met that the text doesn't reach; those are known from then on.
   bool FindUnreached(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
   // Says why, once: a warning if the driver lacks something, an error if something went wrong.
+  void SayFallback(const std::string& reason, bool lacking, const std::string& instead);
   void RenderFallback(
     const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);
+  void RenderByVTK(const vtkRenderState* state, vtkRenderPass* volumetricPass, const std::string& reason, bool lacking);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -104,6 +104,7 @@ std::string vtkTranslucencyResolver::Draw(vtkShaderProgram* program, const vtkTr
   }
   vtkTranslucencyFrame::Uniforms values{ { "resolveLevel", squares.Level }, { "resolveFewer", squares.Fewer },
     { "resolveMost", squares.Most }, { "resolveSample", this->Sample }, { "resolveAmong", this->Among } };
+  vtkTranslucencyShader::SetUniforms(program, kept.Mappers->GetFrameValues());
   vtkTranslucencyShader::SetUniforms(program, values);
   vtkTranslucencyShader::SetUniforms(program, uniforms);
   vtkTranslucencyScopedTextures textures(this->Window);
@@ -142,6 +143,7 @@ void vtkTranslucencyResolver::DrawCells(vtkShaderProgram* program, vtkFragmentSt
   const vtkTranslucencyTiles::Rectangle& tile = kept.Tiles.GetTile();
   vtkTranslucencyScopedTextures textures(this->Window);
   textures.BindTexels(storage.GetTexels(), program);
+  vtkTranslucencyShader::SetUniforms(program, kept.Mappers->GetFrameValues());
   vtkTranslucencyShader::SetUniforms(program, textures.GetUnits());
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(state);

@@ -6,8 +6,7 @@ VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyResources::GetBytes()
 {
-  return this->FrameBlock.GetBytes() + this->Resolved.GetBytes() + this->SampleColors.GetBytes() +
-    this->Layers.GetBytes();
+  return this->Resolved.GetBytes() + this->SampleColors.GetBytes() + this->Layers.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -19,7 +18,6 @@ void vtkTranslucencyResources::Release(bool contextAlive)
   this->Tiles.Forget();
   this->Programs.Release(contextAlive);
   this->Resolved.Release(contextAlive);
-  this->FrameBlock.Release(contextAlive);
   this->SampleColors.Release(contextAlive);
   this->Window = nullptr;
   this->Context = nullptr;

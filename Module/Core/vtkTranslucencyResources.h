@@ -42,7 +42,6 @@ struct vtkTranslucencyResources
   vtkTranslucencyTiles Tiles;
   vtkTranslucencyPrograms Programs;
   vtkTranslucencyResolveStatistics Resolved;
-  vtkTranslucencyBuffer FrameBlock;   // Shaders/Common/Frame.glsl
   vtkTranslucencyBuffer SampleColors; // Shaders/Common/SampleColors.glsl
 
   vtkNew<vtkTranslucencyStatistics> Statistics;

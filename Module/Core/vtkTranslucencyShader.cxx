@@ -38,27 +38,27 @@ bool Mentions(const std::string& text, const std::string& word)
 }
 }
 
-// A driver that lacks it would warn.
-#define OPTIONAL_EXTENSION(name) "#ifdef " name "\n#extension " name " : enable\n#endif\n"
-
 //------------------------------------------------------------------------------
 const char* vtkTranslucencyShader::GetExtensions()
 {
-  return "#extension GL_ARB_shader_storage_buffer_object : require\n"
-         "#extension GL_ARB_shader_image_load_store : require\n"
-         "#extension GL_ARB_shading_language_420pack : require\n"
-         "#extension GL_ARB_shading_language_packing : require\n"
-         "#extension GL_ARB_shader_bit_encoding : require\n"
-         "#extension GL_ARB_gpu_shader5 : require\n"      // gl_SampleMaskIn
-         "#extension GL_ARB_sample_shading : require\n"   // gl_SampleID
-    OPTIONAL_EXTENSION("GL_ARB_explicit_attrib_location") // of several outputs
-    OPTIONAL_EXTENSION("GL_ARB_blend_func_extended")      // of two source colours
-    OPTIONAL_EXTENSION("GL_ARB_gpu_shader_int64")         // stores of two words
-    OPTIONAL_EXTENSION("GL_ARB_post_depth_coverage")
-      OPTIONAL_EXTENSION("GL_EXT_shader_framebuffer_fetch") // records of pixels in colours
-    OPTIONAL_EXTENSION("GL_ARB_ES3_1_compatibility")        // gl_HelperInvocation
-    OPTIONAL_EXTENSION("GL_ARB_fragment_shader_interlock") OPTIONAL_EXTENSION("GL_NV_fragment_shader_interlock")
-      OPTIONAL_EXTENSION("GL_INTEL_fragment_shader_ordering");
+  // A driver that lacks one would warn of the line. What a shader needs and the compiler does not know it refuses.
+#define EXTENSION(name) "#ifdef " name "\n#extension " name " : enable\n#endif\n"
+  return EXTENSION("GL_ARB_explicit_attrib_location") // of outputs
+    EXTENSION("GL_ARB_shader_bit_encoding")           // floats as words
+    EXTENSION("GL_ARB_blend_func_extended")           // two source colours
+    EXTENSION("GL_ARB_sample_shading")                // gl_SampleID
+    EXTENSION("GL_ARB_gpu_shader5")                   // gl_SampleMaskIn
+    EXTENSION("GL_ARB_shader_image_load_store")       // early tests
+    EXTENSION("GL_ARB_shading_language_420pack")      // bindings of blocks
+    EXTENSION("GL_ARB_shading_language_packing")      // colours as words
+    EXTENSION("GL_ARB_shader_storage_buffer_object")  // fragment storage
+    EXTENSION("GL_ARB_gpu_shader_int64")              // stores of two words
+    EXTENSION("GL_ARB_post_depth_coverage")           // masks of the samples that pass the depth test
+    EXTENSION("GL_EXT_shader_framebuffer_fetch")      // records of pixels in colours
+    EXTENSION("GL_ARB_ES3_1_compatibility")           // gl_HelperInvocation
+    EXTENSION("GL_ARB_fragment_shader_interlock") EXTENSION("GL_NV_fragment_shader_interlock")
+      EXTENSION("GL_INTEL_fragment_shader_ordering");
+#undef EXTENSION
 }
 
 //------------------------------------------------------------------------------
@@ -223,9 +223,13 @@ void vtkTranslucencyShader::SetUniforms(vtkShaderProgram* program, const Uniform
     {
       program->SetUniformi(name, *integer);
     }
+    else if (const float* number = std::get_if<float>(&uniform.second))
+    {
+      program->SetUniformf(name, *number);
+    }
     else
     {
-      program->SetUniformf(name, std::get<float>(uniform.second));
+      program->SetUniform4f(name, std::get<Vector>(uniform.second).data());
     }
   }
 }

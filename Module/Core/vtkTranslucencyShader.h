@@ -16,6 +16,7 @@
 
 #include "vtkShader.h" // for its type
 
+#include <array>
 #include <map>
 #include <string>
 #include <variant>
@@ -28,7 +29,8 @@ class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyShader
 {
 public:
   using Defines = std::map<std::string, std::string>;
-  using Uniforms = std::map<std::string, std::variant<int, float>>;
+  using Vector = std::array<float, 4>;
+  using Uniforms = std::map<std::string, std::variant<int, float, Vector>>;
   using Selection = std::map<std::string, std::string>; // of a folder, the file that Selected stands for
 
   /// Assembles a file and all that it includes, behind the defines. `Storage/Selected` in an include stands for
@@ -41,7 +43,7 @@ public:
   const std::string& GetText() const { return this->Text; }
   const std::string& GetError() const { return this->Error; }
 
-  /// The extensions that every shader of this module asks for, as #extension lines.
+  /// The extensions that shaders of this module may use, as #extension lines for those that the compiler knows.
   static const char* GetExtensions();
 
   /// Compiles the text, with main behind it; false, with messages that name file and line in GetError(), if that fails.

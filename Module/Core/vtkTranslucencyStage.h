@@ -12,6 +12,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -87,8 +88,8 @@ struct vtkTranslucencyStage
   std::array<float, 4> Clear{ { 0, 0, 0, 0 } };
   std::vector<Input> Inputs;
   vtkTranslucencyShader::Uniforms Values;
-  std::map<int, Buffer>
-    Differing; ///< buffers for which Blend and Clear don't hold: needs Capabilities.MissingForBuffers to be empty
+  std::map<int, Buffer> Differing; ///< buffers for which Blend and Clear don't hold
+  std::set<int> Masked;            ///< buffers that are not drawn to (vtkTranslucencyDrawings)
   int Cleared = VTK_INT_MAX; ///< how many of Targets are cleared, the first ones; the others keep what is in them, of
                              ///< earlier stages or frames
 };

@@ -276,6 +276,21 @@ std::vector<float> vtkTranslucencyTargets::Read(
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyTargets::Write(const std::vector<unsigned int>& words)
+{
+  GLint bound = 0;
+  GLint unpacked = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpacked);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  glBindTexture(GL_TEXTURE_2D, this->Textures.front());
+  const Texels texels = GetTexels(this->Formats.front());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, texels.Pixels, texels.Type, words.data());
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpacked));
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyTargets::Unbind()
 {
   // Whoever owns the depth buffer may delete or resize it before the next frame.

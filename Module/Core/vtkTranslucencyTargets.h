@@ -67,6 +67,9 @@ public:
   /// Makes the framebuffer that was bound before Bind what is drawn to.
   void Unbind();
 
+  /// Fills a buffer of words, the only one, of one sample.
+  void Write(const std::vector<unsigned int>& words);
+
   /// GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE, and the texture's name.
   unsigned int GetTarget() const;
   unsigned int GetTexture(int index) const { return this->Textures[index]; }

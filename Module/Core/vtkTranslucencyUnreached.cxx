@@ -177,6 +177,19 @@ void vtkTranslucencyUnreached::Note(vtkProp* prop, bool reached)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyUnreached::HasAny(const vtkRenderState* state) const
+{
+  for (int i = 0; !this->Props.empty() && i < vtkTranslucencyPropCount(state); ++i)
+  {
+    if (this->Has(vtkTranslucencyProp(state, i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTranslucencyUnreached::Has(vtkProp* prop) const
 {
   const Known* known = this->FindKnown(prop);

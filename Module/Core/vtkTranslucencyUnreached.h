@@ -65,6 +65,7 @@ public:
   void Warn(vtkObject* pass, const std::string& descriptions);
 
   bool Has(vtkProp* prop) const;
+  bool HasAny(const vtkRenderState* state) const;
 
   vtkTranslucencyShaderWatch* GetWatch() { return this->ShaderWatch; }
 

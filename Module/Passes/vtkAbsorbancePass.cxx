@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAbsorbancePass.h"
 
+#include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyOption.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 
@@ -78,6 +83,26 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
     options.push_back(option);
   }
   return options;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAbsorbancePass::UsesStorage(const vtkTranslucencyCapabilities& capabilities) const
+{
+  return this->Memory == Variable && capabilities.MissingForStorage.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
+  const std::string missing = window ? this->GetCapabilities(window).MissingForStorage : "";
+  if (this->Memory == Variable && !missing.empty() && this->Missing != missing)
+  {
+    vtkWarningMacro(<< "the driver lacks " << missing
+                    << ", which Memory Variable (0) needs; drawing as with Fixed (1)");
+    this->Missing = missing;
+  }
+  this->Superclass::RenderTranslucent(state, volumetricPass);
 }
 
 //------------------------------------------------------------------------------

@@ -22,7 +22,8 @@
  *
  * Memory Variable (the default): one drawing of the geometry into the storage, and one full-screen pass that walks a
  * pixel's list for the bounds, the sums, and the colours. The sums are in registers and take no memory. The storage and
- * its options are used by Variable only.
+ * its options are used by Variable only. On a driver that has no storage buffers Variable draws as Fixed, after a
+ * warning.
  *
  * Both draw the same picture, but for the rounding of stored colours. Volumes are divided at surfaces by Variable only.
  * Lists too long for a driver's loops (some 20,000 fragments of a pixel) are sorted and drawn exactly.
@@ -77,7 +78,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
-  bool KeepsTransmissionColors() const override { return this->Memory == Variable; }
+  bool KeepsTransmissionColors() const override { return this->KeepsFragments(); }
 
 protected:
   /**
@@ -106,6 +107,9 @@ protected:
    */
   virtual int GetTermCount() const { return this->Fineness; }
 
+  bool KeepsFragments() const override { return this->Superclass::KeepsFragments() && this->HasStorage; }
+  bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
+  void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass) override;
   bool RenderFixed(vtkTranslucencyFrame& frame) override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
@@ -126,6 +130,7 @@ private:
   vtkTranslucencyTargets DepthBounds;
   vtkTranslucencyTargets Terms;
   vtkTranslucencyTargets Colors;
+  std::string Missing; // of storage that was warned of
 
   vtkAbsorbancePass(const vtkAbsorbancePass&) = delete;
   void operator=(const vtkAbsorbancePass&) = delete;

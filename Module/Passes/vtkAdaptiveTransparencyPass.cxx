@@ -125,10 +125,10 @@ std::vector<vtkTranslucencyOption> vtkAdaptiveTransparencyPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkAdaptiveTransparencyPass::GetMissing(vtkOpenGLRenderWindow* window)
+std::string vtkAdaptiveTransparencyPass::FindMissing(const vtkTranslucencyCapabilities& capabilities) const
 {
-  const std::string missing = this->Superclass::GetMissing(window);
-  return missing.empty() && this->Memory == Fixed ? this->GetMissingForCriticalSection(window) : missing;
+  const std::string missing = this->Superclass::FindMissing(capabilities);
+  return missing.empty() && this->Memory == Fixed ? this->FindMissingForCriticalSection(capabilities) : missing;
 }
 
 //------------------------------------------------------------------------------

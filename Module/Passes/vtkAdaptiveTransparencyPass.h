@@ -161,13 +161,13 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
-  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
   bool KeepsTransmissionColors() const override { return true; }
 
 protected:
   vtkAdaptiveTransparencyPass() = default;
   ~vtkAdaptiveTransparencyPass() override;
 
+  std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const override;
   bool RenderFixed(vtkTranslucencyFrame& frame) override;
   bool UsesInFixedMemory(const std::string& name) const override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;

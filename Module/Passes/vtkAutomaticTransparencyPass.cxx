@@ -41,6 +41,13 @@ const std::vector<vtkTechniqueChooser::Candidate> Candidates{
   { "weighted", 0.0422, 0.4, 0, BytesOfSquares, 20, 0 },
 };
 
+// The same of drivers without storage buffers.
+const std::vector<vtkTechniqueChooser::Candidate> CandidatesOfTargets{
+  { "peel:method=bucket-sort", 0, 9, 0, BytesOfSquares, 256, 0 },
+  { "fourier:memory=fixed:coefficients=15", 0.00295, 3.3, 0, BytesOfSquares, 156, 0 },
+  { "weighted", 0.0422, 0.4, 0, BytesOfSquares, 20, 0 },
+};
+
 // "adaptive:nodes=8"
 vtkSmartPointer<vtkTranslucencyPass> NewTechnique(const std::string& text)
 {
@@ -255,14 +262,16 @@ void vtkAutomaticTransparencyPass::FindCandidates(vtkOpenGLRenderWindow* window)
   }
   this->Device = device;
   std::vector<vtkTechniqueChooser::Candidate> candidates;
-  for (const vtkTechniqueChooser::Candidate& candidate : Candidates)
+  const bool storage = this->GetCapabilities(window).MissingForStorage.empty();
+  const std::vector<vtkTechniqueChooser::Candidate>& known = storage ? Candidates : CandidatesOfTargets;
+  for (const vtkTechniqueChooser::Candidate& candidate : known)
   {
     if (this->NewDelegate(candidate.Name)->GetMissing(window).empty())
     {
       candidates.push_back(candidate);
     }
   }
-  this->Chooser.reset(new vtkTechniqueChooser(candidates.empty() ? Candidates : candidates));
+  this->Chooser.reset(new vtkTechniqueChooser(candidates.empty() ? known : candidates));
   this->Chooser->SetBudget({ this->BudgetMilliseconds, this->BudgetMebibytes, this->Tolerance });
   this->Delegate = nullptr;
 }

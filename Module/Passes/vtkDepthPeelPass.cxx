@@ -4,6 +4,7 @@
 
 #include "vtkBucketPeeling.h"
 #include "vtkLayerPeeling.h"
+#include "vtkListPeeling.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyOption.h"
 
@@ -22,6 +23,7 @@ const char* const Methods[] = { "FrontToBack", "Dual", "BucketSort" };
 vtkDepthPeelPass::vtkDepthPeelPass()
   : Peeling(new vtkLayerPeeling)
   , Buckets(new vtkBucketPeeling)
+  , Lists(new vtkListPeeling)
 {
 }
 
@@ -107,15 +109,17 @@ std::vector<vtkTranslucencyOption> vtkDepthPeelPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDepthPeelPass::GetMissing(vtkOpenGLRenderWindow* window)
+bool vtkDepthPeelPass::UsesStorage(const vtkTranslucencyCapabilities& capabilities) const
 {
-  const std::string missing = this->Superclass::GetMissing(window);
-  if (!missing.empty())
-  {
-    return missing;
-  }
-  return this->Method == BucketSort ? this->GetMissingForCriticalSection(window)
-                                    : this->GetCapabilities(window).MissingForBuffers;
+  return this->Method == BucketSort && capabilities.MissingForStorage.empty();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDepthPeelPass::FindMissing(const vtkTranslucencyCapabilities& capabilities) const
+{
+  const std::string missing = this->Superclass::FindMissing(capabilities);
+  return missing.empty() && this->UsesStorage(capabilities) ? this->FindMissingForCriticalSection(capabilities)
+                                                            : missing;
 }
 
 //------------------------------------------------------------------------------
@@ -123,14 +127,25 @@ bool vtkDepthPeelPass::RenderStages(vtkTranslucencyFrame& frame)
 {
   this->Peeling->GetImages().clear();
   const vtkPeelingSettings settings{ this->Layers, this->Tail == Average };
-  return this->Method == BucketSort ? this->Buckets->Render(frame, settings, this->MemoryLimit)
-                                    : this->Peeling->Render(frame, settings, this->Method == Dual, this->KeepLayers);
+  if (this->Method == BucketSort)
+  {
+    if (!this->HasStorage && this->MemoryLimit > 0 && !this->MemoryLimitWarned)
+    {
+      vtkWarningMacro(
+        << "MemoryLimit is " << this->MemoryLimit
+        << " MiB, but the driver has no storage buffers; the targets that bucket-sort draws to have no limit");
+      this->MemoryLimitWarned = true;
+    }
+    return this->HasStorage ? this->Buckets->Render(frame, settings, this->MemoryLimit)
+                            : this->Lists->Render(frame, settings);
+  }
+  return this->Peeling->Render(frame, settings, this->Method == Dual, this->KeepLayers);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkDepthPeelPass::GetTechniqueBytes()
 {
-  return this->Peeling->GetBytes() + this->Buckets->GetBytes();
+  return this->Peeling->GetBytes() + this->Buckets->GetBytes() + this->Lists->GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -138,5 +153,6 @@ void vtkDepthPeelPass::ReleaseTechniqueResources(bool contextAlive)
 {
   this->Peeling->Release(contextAlive);
   this->Buckets->Release(contextAlive);
+  this->Lists->Release(contextAlive);
 }
 VTK_ABI_NAMESPACE_END

@@ -128,11 +128,17 @@ std::vector<vtkTranslucencyOption> vtkFragmentListPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFragmentListPass::GetMissing(vtkOpenGLRenderWindow* window)
+bool vtkFragmentListPass::UsesStorage(const vtkTranslucencyCapabilities&) const
 {
-  const std::string missing = this->Superclass::GetMissing(window);
-  const vtkTranslucencyCapabilities& capabilities = this->GetCapabilities(window);
-  const bool retries = vtkSectionStorage::SafeDownCast(this->Storage) && !capabilities.KeepsDrawOrder;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFragmentListPass::FindMissing(const vtkTranslucencyCapabilities& capabilities) const
+{
+  const std::string missing = this->Superclass::FindMissing(capabilities);
+  const bool retries =
+    this->UsesStorage(capabilities) && vtkSectionStorage::SafeDownCast(this->Storage) && !capabilities.KeepsDrawOrder;
   return missing.empty() && retries ? capabilities.MissingForRetries : missing;
 }
 

@@ -59,11 +59,6 @@ public:
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
 
-  /**
-   * The T-buffer and the M-buffer want one extension more where fragments of a pixel come in any order.
-   */
-  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
-
 protected:
   vtkFragmentListPass();
   ~vtkFragmentListPass() override;
@@ -110,6 +105,11 @@ protected:
    */
   virtual bool ResolveLists(vtkTranslucencyFrame& frame) = 0;
 
+  /**
+   * The T-buffer and the M-buffer want one extension more where fragments of a pixel come in any order.
+   */
+  std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const override;
+  bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
   bool DividesVolumes() const override { return true; }
   bool RenderStages(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;

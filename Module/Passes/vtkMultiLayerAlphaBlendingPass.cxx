@@ -99,10 +99,16 @@ std::vector<vtkTranslucencyOption> vtkMultiLayerAlphaBlendingPass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMultiLayerAlphaBlendingPass::GetMissing(vtkOpenGLRenderWindow* window)
+bool vtkMultiLayerAlphaBlendingPass::UsesStorage(const vtkTranslucencyCapabilities&) const
 {
-  const std::string missing = this->Superclass::GetMissing(window);
-  return missing.empty() ? this->GetMissingForCriticalSection(window) : missing;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMultiLayerAlphaBlendingPass::FindMissing(const vtkTranslucencyCapabilities& capabilities) const
+{
+  const std::string missing = this->Superclass::FindMissing(capabilities);
+  return missing.empty() ? this->FindMissingForCriticalSection(capabilities) : missing;
 }
 
 //------------------------------------------------------------------------------

@@ -92,7 +92,6 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
-  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
   bool KeepsTransmissionColors() const override { return true; }
 
 protected:
@@ -100,6 +99,8 @@ protected:
   explicit vtkMultiLayerAlphaBlendingPass(int tail);
   ~vtkMultiLayerAlphaBlendingPass() override;
 
+  bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
+  std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const override;
   bool RenderStages(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;

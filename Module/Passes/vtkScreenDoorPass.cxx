@@ -75,8 +75,9 @@ bool vtkScreenDoorPass::RenderStages(vtkTranslucencyFrame& frame)
   nearest.Blend = vtkTranslucencyFrame::Blending::Replace;
   nearest.HidesBehind = true;
   nearest.Values = { { "maskSize", size } };
+  nearest.Inputs = { { "maskRanks", &this->Ranks, 0 } };
   const std::vector<vtkTranslucencyFrame::Input> inputs{ { "screenDoorNearest", &this->Nearest, 0 } };
-  return frame.UseTargets(this->Nearest, { 4 }) && frame.UseTable(this->Ranks, this->MadeRanks) &&
+  return frame.UseTargets(this->Nearest, { 4 }) && frame.UseTable(this->Ranks, size, this->MadeRanks) &&
     frame.Draw({ "ScreenDoor/Gather.glsl", { { "MASK_OFFSET", Offsets[this->Offset] } }, 1 }, nearest) &&
     frame.Composite("ScreenDoor/Resolve.glsl", {}, inputs);
 }

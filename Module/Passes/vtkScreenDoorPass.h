@@ -23,7 +23,6 @@
 #ifndef vtkScreenDoorPass_h
 #define vtkScreenDoorPass_h
 
-#include "vtkTranslucencyBuffer.h" // for Ranks
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyTargets.h" // for Nearest
 
@@ -84,7 +83,7 @@ protected:
 
 private:
   vtkTranslucencyTargets Nearest;
-  vtkTranslucencyBuffer Ranks;
+  vtkTranslucencyTargets Ranks;
   std::vector<unsigned int> MadeRanks;
   int MadeMask = -1; // of which these are
 

@@ -64,7 +64,12 @@ std::string vtkSortedActors::GetObstacle(vtkProp* prop)
   }
   // Its subclasses draw something else than the polygons.
   static const std::string plain = vtkNew<vtkPolyDataMapper>()->GetClassName();
-  return mapper->GetClassName() == plain ? "" : mapper->GetClassName();
+  if (mapper->GetClassName() != plain)
+  {
+    return mapper->GetClassName();
+  }
+  // The technique has to know such an actor as the one that it is: vtkTranslucencyUnreached.
+  return actor->GetShaderProperty()->HasFragmentShaderCode() ? "actors with a fragment shader of their own" : "";
 }
 
 //------------------------------------------------------------------------------

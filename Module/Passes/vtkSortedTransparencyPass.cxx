@@ -151,8 +151,9 @@ void vtkSortedTransparencyPass::WarnOf(const std::set<std::string>& unsorted)
   }
   if (!names.empty() && names != this->Unsorted)
   {
-    vtkWarningMacro(<< "the polygons of " << names
-                    << " are not sorted, only the objects: expected actors with a vtkPolyDataMapper");
+    vtkWarningMacro(
+      << "the polygons of " << names
+      << " are not sorted, only the objects: expected actors with a vtkPolyDataMapper and its own shaders");
   }
   this->Unsorted = names;
 }

@@ -167,7 +167,7 @@ bool vtkStochasticTransparencyPass::StartFrame(vtkTranslucencyFrame& frame)
     this->Patterns = MakePatterns(this->GetSamplesOfRound());
   }
   if (!frame.UseTargets(this->Sums, sums) || !frame.UseTargets(this->Depths, depths) ||
-    !frame.UseTable(this->PatternTable, this->Patterns))
+    !frame.UseTable(this->PatternTable, RowPatterns, this->Patterns))
   {
     return false;
   }
@@ -217,6 +217,10 @@ bool vtkStochasticTransparencyPass::DrawRound(vtkTranslucencyFrame& frame, int r
     sums.Inputs.push_back({ sampler, &this->Depths, i });
     depths.Inputs.push_back(
       { sampler, &this->Sums, 0 }); // not read, but a sampler has to be bound to something of its type
+  }
+  for (vtkTranslucencyFrame::Stage* stage : { &depths, &sums })
+  {
+    stage->Inputs.push_back({ "stochasticPatterns", &this->PatternTable, 0 });
   }
   return frame.Draw(gathering, depths) && frame.Draw(gathering, sums);
 }

@@ -40,7 +40,6 @@
 #ifndef vtkStochasticTransparencyPass_h
 #define vtkStochasticTransparencyPass_h
 
-#include "vtkTranslucencyBuffer.h" // for PatternTable
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyTargets.h" // for Depths and Sums
 
@@ -122,7 +121,7 @@ private:
   vtkTranslucencyTargets Depths;
   vtkTranslucencyTargets Sums;
   std::vector<unsigned int> Patterns; // the table of Shaders/Stochastic/Mask.glsl
-  vtkTranslucencyBuffer PatternTable;
+  vtkTranslucencyTargets PatternTable;
   int AccumulatedFrames = 0;
   std::vector<vtkTypeUInt64> Accumulated; // what the frames in Sums are of
 

@@ -25,6 +25,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStockPeelingPass.h"
 #include "vtkTranslucencyChain.h"
+#include "vtkTranslucencyFallback.h"
 #include "vtkTranslucentPass.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -112,6 +113,12 @@ const Technique* Find(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+vtkTranslucencyPass* vtkTranslucencyNewFallback()
+{
+  return vtkDepthPeelPass::New();
+}
+
+//------------------------------------------------------------------------------
 int vtkTranslucencyFactory::GetNumberOfTechniques()
 {
   return TechniqueCount;
@@ -192,5 +199,13 @@ std::string vtkTranslucencyFactory::GetMissing(const std::string& name, vtkOpenG
   const auto pass = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
   auto* own = vtkTranslucencyPass::SafeDownCast(pass);
   return own ? own->GetMissing(window) : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyFactory::GetMissing(const std::string& name, int major, int minor)
+{
+  const auto pass = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
+  auto* own = vtkTranslucencyPass::SafeDownCast(pass);
+  return own ? own->GetMissing(major, minor) : "";
 }
 VTK_ABI_NAMESPACE_END

@@ -71,11 +71,14 @@ public:
    */
   static void Disable(vtkRenderer* renderer);
 
+  ///@{
   /**
    * Empty if the driver behind the window can run the technique, else what is missing. The window must have rendered
-   * once.
+   * once. The same of a driver that has an OpenGL of this version, and nothing beyond it.
    */
   static std::string GetMissing(const std::string& name, vtkOpenGLRenderWindow* window);
+  static std::string GetMissing(const std::string& name, int major, int minor);
+  ///@}
 
 protected:
   vtkTranslucencyFactory() = default;

@@ -77,7 +77,7 @@ void vtkVisibilityFunctionPass::WarnOfUnusedOptions()
 //------------------------------------------------------------------------------
 bool vtkVisibilityFunctionPass::RenderStages(vtkTranslucencyFrame& frame)
 {
-  if (this->Memory == Variable)
+  if (this->KeepsFragments())
   {
     return this->Superclass::RenderStages(frame);
   }

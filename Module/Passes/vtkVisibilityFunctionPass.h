@@ -61,7 +61,12 @@ protected:
    */
   virtual bool UsesInFixedMemory(const std::string& name) const;
 
-  bool DividesVolumes() const override { return this->Memory == Variable; }
+  /**
+   * Whether the fragments are kept, and not drawn again.
+   */
+  virtual bool KeepsFragments() const { return this->Memory == Variable; }
+
+  bool DividesVolumes() const override { return this->KeepsFragments(); }
   bool RenderStages(vtkTranslucencyFrame& frame) override;
 
   int Memory = Variable;

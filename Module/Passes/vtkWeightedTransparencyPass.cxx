@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWeightedTransparencyPass.h"
 
-#include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFrame.h"
 #include "vtkTranslucencyOption.h"
 
@@ -82,13 +81,6 @@ std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
       "distance that equations 7 to 9 take the far plane for", [this] { return this->GetDepthFar(); },
       [this](double value) { this->SetDepthFar(value); } }
   };
-}
-
-//------------------------------------------------------------------------------
-std::string vtkWeightedTransparencyPass::GetMissing(vtkOpenGLRenderWindow* window)
-{
-  const std::string missing = this->Superclass::GetMissing(window);
-  return missing.empty() && this->Method == Blended ? this->GetCapabilities(window).MissingForBuffers : missing;
 }
 
 //------------------------------------------------------------------------------

@@ -84,7 +84,6 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
-  std::string GetMissing(vtkOpenGLRenderWindow* window) override;
   bool KeepsTransmissionColors() const override { return true; }
 
 protected:

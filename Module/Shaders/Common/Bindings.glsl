@@ -29,8 +29,7 @@
 
 #define EMPTY_NUMBER 1e30f // behind every depth: see PixelTargets.glsl
 
-#define UNIFORM_BINDING_FRAME 0   // see Frame.glsl
-#define UNIFORM_BINDING_STORAGE 1 // fragment storage: its layout
-#define UNIFORM_BINDINGS 2
+#define UNIFORM_BINDING_STORAGE 0 // fragment storage: its layout
+#define UNIFORM_BINDINGS 1
 
 #endif

@@ -4,35 +4,27 @@
 // HandOver.glsl: gives the fragments of one layer, drawn by shaders of others (vtkTranslucencyLayers), to what stands
 // in mappers' shaders.
 //
-// It has the marks that VTK's mappers have in their shaders, and the same text goes there. Where the window is
-// multi-sampled it runs once for each sample.
+// It has the marks that VTK's mappers have in their shaders, and the same text goes there. The layer is a target like
+// any other.
 //
-// Needs: HAND_OVER_SAMPLES, of a pixel of the layer.  Gives: main.
-#ifndef HAND_OVER_SAMPLES
-#error "HandOver.glsl needs HAND_OVER_SAMPLES"
-#endif
+// Needs: TARGET_SAMPLES, SHADES_SAMPLES.  Gives: main.
+#include "Common/Target.glsl"
 
-#if HAND_OVER_SAMPLES > 1
-uniform sampler2DMS layerColors;
-uniform sampler2DMS layerDepths;
-#define fetchLayer(layer) texelFetch(layer, ivec2(gl_FragCoord.xy), gl_SampleID)
-#else
-uniform sampler2D layerColors;
-uniform sampler2D layerDepths;
-#define fetchLayer(layer) texelFetch(layer, ivec2(gl_FragCoord.xy), 0)
-#endif
+uniform Target layerColors;
+uniform Target layerDepths;
 
 //VTK::Output::Dec
 //VTK::DepthPeeling::Dec
 
 void main()
 {
-  vec4 color = fetchLayer(layerColors);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 color = fetchTarget(layerColors, pixel);
   if (color.a <= 0.0)
   {
     discard;
   }
-  gl_FragDepth = fetchLayer(layerDepths).r;
+  gl_FragDepth = fetchTarget(layerDepths, pixel).r;
   //VTK::DepthPeeling::PreColor
   gl_FragData[0] = color;
   //VTK::DepthPeeling::Impl

@@ -36,7 +36,7 @@ layout(location = 0) inout uvec4 trialColor;
 out uvec4 trialColor;
 #endif
 
-layout(std140, binding = UNIFORM_BINDING_FRAME) uniform TrialBlock
+layout(std140, binding = UNIFORM_BINDING_STORAGE) uniform TrialBlock
 {
   uint trialPlace;
 };

@@ -15,17 +15,12 @@
 #ifndef MASK_OFFSET
 #error "ScreenDoor/Gather.glsl needs MASK_OFFSET"
 #endif
-#include "Common/Bindings.glsl"
 
 #define NO_OFFSET 0
 #define OBJECT_OFFSET 1
 #define PRIMITIVE_OFFSET 2
 
-layout(std430, binding = STORAGE_BINDING_TABLE) readonly buffer ScreenDoorMask
-{
-  uint maskRanks[];
-};
-
+uniform usampler2D maskRanks;
 uniform int maskSize;
 uniform int gatherPart;
 uniform int gatherLayer;
@@ -48,7 +43,7 @@ float threshold(uvec2 pixel)
   uvec2 place = (maskPlace() * steps & 0xffffffu) * uint(maskSize) >> 24u;
   uvec2 cell = (pixel + place) & uint(maskSize - 1);
   uint cells = uint(maskSize * maskSize);
-  return (float(maskRanks[cell.y * uint(maskSize) + cell.x]) + 0.5) / float(cells);
+  return (float(texelFetch(maskRanks, ivec2(cell), 0).r) + 0.5) / float(cells);
 }
 
 void gatherFragment(vec4 color, float depth, out vec4 outputs[1])

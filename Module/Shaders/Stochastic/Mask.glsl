@@ -12,24 +12,18 @@
 // colour for fragments of equal depth. They do not depend on the order of drawing. gl_PrimitiveID would: it starts anew
 // with each actor.
 //
-// Needs: DEPTH_SAMPLES (up to 32), PATTERNS (in a row), TARGET_SAMPLES.  Gives: coveredDepths.
+// Needs: DEPTH_SAMPLES (up to 32), PATTERNS (in a row), TARGET_SAMPLES, SHADES_SAMPLES.  Gives: coveredDepths.
 #ifndef Mask_glsl
 #define Mask_glsl
-#include "Common/Bindings.glsl"
+#include "Common/Target.glsl"
 #ifndef DEPTH_SAMPLES
 #error "Stochastic/Mask.glsl needs DEPTH_SAMPLES"
 #endif
 #ifndef PATTERNS
 #error "Stochastic/Mask.glsl needs PATTERNS"
 #endif
-#ifndef TARGET_SAMPLES
-#error "Stochastic/Mask.glsl needs TARGET_SAMPLES"
-#endif
 
-layout(std430, binding = STORAGE_BINDING_TABLE) readonly buffer StochasticPatterns
-{
-  uint stochasticPatterns[];
-};
+uniform usampler2D stochasticPatterns; // a row for each number of samples that are covered
 uniform int stochasticSeed;
 
 // Of three numbers two that look random: the rounds of pcg3d (Jarzynski and Olano, "Hash functions for GPU rendering",
@@ -53,14 +47,13 @@ uint coveredDepths(ivec2 pixel, vec4 color, float depth)
   uint content = words.x + words.y + words.z + words.w;
   uint place = uint(pixel.x) | (uint(pixel.y) << 16u);
 #if TARGET_SAMPLES > 1
-  content += uint(gl_SampleID) * 0x165667b1u;
+  content += uint(TARGET_SAMPLE) * 0x165667b1u;
 #endif
   uvec2 random = randomWords(uvec3(place, floatBitsToUint(depth), content + uint(stochasticSeed)));
 
   float fraction = float(random.x >> 8u) * (1.0 / 16777216.0);
   uint count = min(uint(color.a * float(DEPTH_SAMPLES) + fraction), uint(DEPTH_SAMPLES));
-  uint index = count * uint(PATTERNS) + (random.y & uint(PATTERNS - 1));
-  uint pattern = stochasticPatterns[index];
+  uint pattern = texelFetch(stochasticPatterns, ivec2(int(random.y) & (PATTERNS - 1), int(count)), 0).r;
   uint places = ((random.y >> 16u) * uint(DEPTH_SAMPLES)) >> 16u; // 0 to DEPTH_SAMPLES - 1
   // A bit pushed out at the top comes in at the bottom. Two steps of at most 31 places: a shift by 32 is undefined.
   return (pattern << places) | ((pattern >> 1u) >> (uint(DEPTH_SAMPLES - 1) - places));
