@@ -269,7 +269,7 @@ TEST_F(TestGLStateOfTechniques, VertexShadersHaveNoStorageBlocks)
       std::string source(static_cast<std::size_t>(length), ' ');
       glGetShaderSource(shader, length, nullptr, &source[0]);
       EXPECT_EQ(source.find("layout(std430"), std::string::npos) << "vertex shader " << shader;
-      resolves += source.find("uniform TranslucencyFrame") != std::string::npos ? 1 : 0;
+      resolves += source.find("uniform vec4 frameTileNumbers") != std::string::npos ? 1 : 0;
     }
   }
   EXPECT_GT(resolves, 1);
