@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Peel/GatherLists.glsl: a fragment's colour goes to the target of its layer, if that is listed, and its depth into the
-// buckets if not (LayerLists.glsl). Fragments of one depth are put over each other by blending, in the order of drawing.
+// buckets if not (LayerLists.glsl). Fragments of one depth are put over each other by blending, in the order of
+// drawing.
 //
-// The tail is all that is left of a pixel that has given PEEL_LAYERS layers: the sums of opacity * colour and of opacity,
-// and the product of 1 - opacity, in any order.
+// The tail is all that is left of a pixel that has given PEEL_LAYERS layers: the sums of opacity * colour and of
+// opacity, and the product of 1 - opacity, in any order.
 //
 // Needs: PEEL_SIDES, PEEL_LAYERS (the most to peel, 0 for all), TARGET_SAMPLES.  Gives: rejectFragment, gatherFragment;
 // outputs 0 and 1: buckets, or in the tail the opacity; 2 to 7: listed layers, of which 2 is the tail's colour.

@@ -6,15 +6,15 @@
 // Six of the layers that are left are listed by their depths, and are taken off in the next drawing:
 // - PEEL_SIDES 2: the three nearest, nearest first, and the three farthest, farthest first;
 // - PEEL_SIDES 1: the six nearest, nearest first.
-// The first list's alpha is the nearest depth that is left, the second list's the farthest one, or with PEEL_SIDES 1 how
-// many layers have been peeled.
+// The first list's alpha is the nearest depth that is left, the second list's the farthest one, or with PEEL_SIDES 1
+// how many layers have been peeled.
 //
 // Fragments whose depths are not listed fall into buckets, by a hash of the depth. A bucket keeps the nearest of its
 // depths, and with PEEL_SIDES 2 the farthest, too: two targets with four numbers each, of which blending (GL_MAX) keeps
 // the largest, depths of nearest ones negative. The nearest of all is then known, and of those behind it each that no
-// nearer one shares a bucket with. The paper's buckets are intervals of depth; those want to know how depths are spread,
-// and depths that are close to each other share one. What a hash has put together, another hash parts: each drawing has
-// one of its own.
+// nearer one shares a bucket with. The paper's buckets are intervals of depth; those want to know how depths are
+// spread, and depths that are close to each other share one. What a hash has put together, another hash parts: each
+// drawing has one of its own.
 //
 // Needs: PEEL_SIDES.  Gives: PEEL_OUTPUTS, NO_DEPTH, bucketsOf.
 #ifndef LayerLists_glsl

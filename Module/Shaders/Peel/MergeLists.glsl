@@ -4,8 +4,8 @@
 // Peel/MergeLists.glsl: puts the listed layers behind those that have been peeled from the front, and in front of those
 // from the back, as far as no fragment lies between that was not listed; and lists the next ones (LayerLists.glsl).
 //
-// Why nothing is lost: the nearest depth that was not listed is in the buckets. Listed layers in front of it are all that
-// is left in front of it. The others stay among those that can be listed, as do all depths in the buckets.
+// Why nothing is lost: the nearest depth that was not listed is in the buckets. Listed layers in front of it are all
+// that is left in front of it. The others stay among those that can be listed, as do all depths in the buckets.
 //
 // Needs: PEEL_SIDES, PEEL_LAYERS (the most to peel, 0 for all), TARGET_SAMPLES.  Gives: main.
 #ifndef PEEL_LAYERS
