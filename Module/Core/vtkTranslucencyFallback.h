@@ -12,8 +12,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkTranslucencyPass;
 
-/// A new pass of an exact technique that needs targets, and nothing else.
-vtkTranslucencyPass* vtkTranslucencyNewFallback();
+/// A new pass of an exact technique that needs targets, and nothing else. storage: whether the driver has storage
+/// buffers, which it does not use.
+vtkTranslucencyPass* vtkTranslucencyNewFallback(bool storage);
 VTK_ABI_NAMESPACE_END
 
 #endif

@@ -529,7 +529,7 @@ void vtkTranslucencyPass::RenderFallback(
   this->SayFallback(reason, lacking, "depth peeling");
   if (!other)
   {
-    other.TakeReference(vtkTranslucencyNewFallback());
+    other.TakeReference(vtkTranslucencyNewFallback(this->HasStorage));
     other->Internal->StandsIn = true;
   }
   other->SetTranslucentPass(this->TranslucentPass);

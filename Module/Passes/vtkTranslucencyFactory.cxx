@@ -113,9 +113,12 @@ const Technique* Find(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-vtkTranslucencyPass* vtkTranslucencyNewFallback()
+vtkTranslucencyPass* vtkTranslucencyNewFallback(bool storage)
 {
-  return vtkDepthPeelPass::New();
+  auto* pass = vtkDepthPeelPass::New();
+  // Bucket sort takes fewer drawings, but where there is storage it would use what may just have failed.
+  pass->SetMethod(storage ? vtkDepthPeelPass::Dual : vtkDepthPeelPass::BucketSort);
+  return pass;
 }
 
 //------------------------------------------------------------------------------

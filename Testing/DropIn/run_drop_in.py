@@ -330,6 +330,10 @@ def falls_back_to_peeling(runner):
     stock, _ = runner.draw(["single"])
     drawn, said = runner.run(["renderer"], environment={"MESA_EXTENSION_OVERRIDE": "-GL_ARB_shader_storage_buffer_object"})
     assert "drawing by depth peeling instead" in said, said
+    assert largest(stock, drawn) <= 3, largest(stock, drawn)
+    lacking = {"MESA_EXTENSION_OVERRIDE": "-GL_ARB_shader_storage_buffer_object -GL_ARB_explicit_attrib_location"}
+    drawn, said = runner.run(["renderer"], environment=lacking)
+    assert "drawing by VTK's depth peeling instead" in said, said
     assert stock == drawn
 
 
