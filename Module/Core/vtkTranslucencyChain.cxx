@@ -106,6 +106,12 @@ std::vector<vtkRenderPass*> GetTree(vtkRenderPass* root)
   return tree;
 }
 
+bool DrawsWithOtherProcesses(vtkRenderPass* root)
+{
+  const std::vector<vtkRenderPass*> tree = GetTree(root);
+  return std::any_of(tree.begin(), tree.end(), [](vtkRenderPass* pass) { return pass->IsA("vtkIceTCompositePass"); });
+}
+
 std::string GetNames(vtkRenderPass* root)
 {
   std::string names;
@@ -131,8 +137,16 @@ vtkRenderPass* vtkTranslucencyChain::GetTechnique(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* technique)
+bool vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* technique)
 {
+  if (renderer->GetPass() && DrawsWithOtherProcesses(renderer->GetPass()))
+  {
+    vtkErrorWithObjectMacro(renderer,
+      << "the renderer's pass (" << GetNames(renderer->GetPass()) << ") draws together with those of other processes of "
+      << "ParaView, which need the same technique, so it is left as it was: load the plugin vtkTranslucency and set "
+      << "TranslucencyTechnique of the view");
+    return false;
+  }
   vtkSmartPointer<vtkTranslucencyChain> chain = Find(renderer);
   if (!chain)
   {
@@ -151,6 +165,7 @@ void vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* techniqu
   }
   chain->Technique = technique;
   chain->PutIn(true);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -164,6 +179,7 @@ void vtkTranslucencyChain::Disable(vtkRenderer* renderer)
   chain->TakeOut();
   chain->Release(chain->Technique);
   chain->Release(chain->Steps);
+  chain->Release(chain->StepsBelow);
   renderer->RemoveObserver(chain->Observer);
   renderer->GetInformation()->Remove(CHAIN());
 }
@@ -227,6 +243,18 @@ bool vtkTranslucencyChain::PutInto(vtkRenderPass* owner, vtkRenderPass* pass, bo
       NewSequence({ vtkNew<vtkOpaquePass>(), technique, vtkNew<vtkVolumetricPass>(), vtkNew<vtkOverlayPass>() });
     this->Exchange(owner, pass, sequence);
     this->TakeVolumes(sequence, technique);
+    return !shadowsFollow;
+  }
+  if (pass->IsA("vtkPVDefaultPass"))
+  {
+    if (!this->StepsBelow)
+    {
+      this->StepsBelow = vtkSmartPointer<vtkTranslucencyRenderStepsPass>::New();
+      this->StepsBelow->SetCameraPass(nullptr);
+    }
+    this->StepsBelow->SetTranslucentPass(technique);
+    this->Exchange(owner, pass, this->StepsBelow);
+    this->TakeVolumes(this->StepsBelow, technique);
     return !shadowsFollow;
   }
   bool draws = false;

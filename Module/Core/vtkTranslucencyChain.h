@@ -11,10 +11,14 @@
  * - A renderer without a pass gets a vtkTranslucencyRenderStepsPass, which carries out the renderer's own effects.
  * - In a chain the technique takes the place of each pass that draws translucent props: of vtkTranslucentPass, VTK's
  * depth peeling and weighted average, and another technique, within vtkRenderStepsPass, vtkSequencePass, vtkCameraPass,
- * vtkSSAAPass, every vtkImageProcessingPass and vtkShadowMapPass; a vtkDefaultPass becomes a sequence. Volumes that are
- * drawn next go to techniques that draw them among the surfaces.
+ * vtkSSAAPass, every vtkImageProcessingPass and vtkShadowMapPass; a vtkDefaultPass becomes a sequence, and the
+ * vtkPVDefaultPass of ParaView's views steps that carry out the renderer's effects. Volumes that are drawn next go to
+ * techniques that draw them among the surfaces.
  * - A vtkShadowMapPass draws what is opaque, and what steps before it have drawn would be hidden: there the technique
  * is drawn with it, and shadows fall on what is translucent.
+ *
+ * A chain with ParaView's vtkIceTCompositePass is left alone: it draws together with those of other processes, and waits
+ * for all of them.
  *
  * There is one of them a renderer, which owns it.
  */
@@ -41,8 +45,8 @@ public:
   vtkTypeMacro(vtkTranslucencyChain, vtkObject);
 
   /// Puts a technique into a renderer's chain, in the place of an earlier one. A pass that has no place for it is
-  /// replaced, with a warning.
-  static void Enable(vtkRenderer* renderer, vtkRenderPass* technique);
+  /// replaced, with a warning. False, after an error of the renderer, where the chain is one that is left alone.
+  static bool Enable(vtkRenderer* renderer, vtkRenderPass* technique);
 
   /// The technique in a renderer's chain; null without one.
   static vtkRenderPass* GetTechnique(vtkRenderer* renderer);
@@ -82,7 +86,8 @@ private:
   vtkWeakPointer<vtkRenderer> Renderer;
   unsigned long Observer = 0;
   vtkSmartPointer<vtkRenderPass> Technique;
-  vtkSmartPointer<vtkTranslucencyRenderStepsPass> Steps; // for a renderer without a pass
+  vtkSmartPointer<vtkTranslucencyRenderStepsPass> Steps;      // for a renderer without a pass
+  vtkSmartPointer<vtkTranslucencyRenderStepsPass> StepsBelow; // below a camera pass of ParaView's
   std::vector<Edit> Edits;                               // by which the technique was put in
   bool TookVolumes = false;
   std::vector<vtkRenderPass*> Tree; // the passes as they were left: compared only, for they may be gone

@@ -135,12 +135,18 @@ vtkRenderPass* vtkTranslucencyRenderStepsPass::UseOpaquePass(const vtkRenderStat
 void vtkTranslucencyRenderStepsPass::Render(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
-  if (renderer->GetPass() == this || renderer->GetSelector())
+  if (!this->CameraPass)
+  {
+    this->RenderBelowCamera(state);
+  }
+  else if (renderer->GetPass() == this || renderer->GetSelector())
   {
     this->RenderAlone(state);
-    return;
   }
-  this->Superclass::Render(state);
+  else
+  {
+    this->Superclass::Render(state);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -155,6 +161,36 @@ void vtkTranslucencyRenderStepsPass::RenderAlone(const vtkRenderState* state)
     renderer->SetPass(pass);
     return;
   }
+  this->SetUpSteps(state);
+  this->NumberOfRenderedProps = 0;
+  for (vtkRenderPass* pass : { static_cast<vtkRenderPass*>(this->CameraPass), this->PostProcessPass })
+  {
+    if (pass)
+    {
+      pass->Render(state);
+      this->NumberOfRenderedProps += pass->GetNumberOfRenderedProps();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyRenderStepsPass::RenderBelowCamera(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  if (renderer->GetSelector())
+  {
+    this->UpdateGeometry(renderer, state->GetFrameBuffer());
+    return;
+  }
+  this->SetUpSteps(state);
+  this->SequencePass->Render(state);
+  this->NumberOfRenderedProps = this->SequencePass->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyRenderStepsPass::SetUpSteps(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
   vtkRenderPassCollection* passes = this->SequencePass->GetPasses();
   passes->RemoveAllItems();
   Add(passes, this->LightsPass);
@@ -180,15 +216,5 @@ void vtkTranslucencyRenderStepsPass::RenderAlone(const vtkRenderState* state)
   }
   Add(passes, this->VolumetricPass);
   Add(passes, this->OverlayPass);
-
-  this->NumberOfRenderedProps = 0;
-  for (vtkRenderPass* pass : { static_cast<vtkRenderPass*>(this->CameraPass), this->PostProcessPass })
-  {
-    if (pass)
-    {
-      pass->Render(state);
-      this->NumberOfRenderedProps += pass->GetNumberOfRenderedProps();
-    }
-  }
 }
 VTK_ABI_NAMESPACE_END

@@ -14,7 +14,9 @@
  * asked for, and shadows leave out both. With shadows vtkOpenGLRenderer does not draw what is translucent: here it is
  * drawn, and shadows fall on it.
  *
- * Within other passes the effects of the renderer don't hold, as with VTK's own steps.
+ * Within other passes the effects of the renderer don't hold, as with VTK's own steps. They do below a camera pass that
+ * somebody else keeps, where these steps have none (SetCameraPass(nullptr)): so ParaView's views draw, whose
+ * vtkPVDefaultPass leaves all of it to the renderer.
  */
 #ifndef vtkTranslucencyRenderStepsPass_h
 #define vtkTranslucencyRenderStepsPass_h
@@ -42,6 +44,9 @@ public:
   /// What Render does where these steps are the renderer's pass.
   void RenderAlone(const vtkRenderState* state);
 
+  /// What Render does below somebody else's camera pass.
+  void RenderBelowCamera(const vtkRenderState* state);
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -53,6 +58,7 @@ private:
   void operator=(const vtkTranslucencyRenderStepsPass&) = delete;
 
   vtkRenderPass* UseOpaquePass(const vtkRenderState* state);
+  void SetUpSteps(const vtkRenderState* state);
 
   vtkNew<vtkHiddenLineRemovalPass> HiddenLines;
   vtkNew<vtkSSAOPass> Occlusion;

@@ -26,6 +26,7 @@
 #include "vtkStockPeelingPass.h"
 #include "vtkTranslucencyChain.h"
 #include "vtkTranslucencyFallback.h"
+#include "vtkTranslucencyRenderStepsPass.h"
 #include "vtkTranslucentPass.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -155,23 +156,19 @@ vtkRenderPass* vtkTranslucencyFactory::Enable(vtkRenderer* renderer, const std::
     return nullptr;
   }
   const auto technique = vtkSmartPointer<vtkRenderPass>::Take(CreateTechnique(name));
-  if (technique)
-  {
-    vtkTranslucencyChain::Enable(renderer, technique);
-  }
-  return technique;
+  return technique && vtkTranslucencyChain::Enable(renderer, technique) ? technique.Get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyFactory::Enable(vtkRenderer* renderer, vtkRenderPass* technique)
+bool vtkTranslucencyFactory::Enable(vtkRenderer* renderer, vtkRenderPass* technique)
 {
   if (!renderer || !technique)
   {
     vtkGenericWarningMacro("the " << (renderer ? "technique" : "renderer") << " is null, expected a "
                                   << (renderer ? "vtkRenderPass" : "vtkRenderer"));
-    return;
+    return false;
   }
-  vtkTranslucencyChain::Enable(renderer, technique);
+  return vtkTranslucencyChain::Enable(renderer, technique);
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +191,25 @@ void vtkTranslucencyFactory::Disable(vtkRenderer* renderer)
     return;
   }
   vtkTranslucencyChain::Disable(renderer);
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkTranslucencyFactory::CreateSteps(vtkRenderPass* technique)
+{
+  if (!technique)
+  {
+    vtkGenericWarningMacro("the technique is null, expected a vtkRenderPass");
+    return nullptr;
+  }
+  auto* steps = vtkTranslucencyRenderStepsPass::New();
+  steps->SetCameraPass(nullptr);
+  steps->SetTranslucentPass(technique);
+  if (auto* own = vtkTranslucencyPass::SafeDownCast(technique))
+  {
+    own->SetVolumetricPass(steps->GetVolumetricPass());
+    steps->SetVolumetricPass(nullptr);
+  }
+  return steps;
 }
 
 //------------------------------------------------------------------------------

@@ -54,10 +54,12 @@ public:
    * On a renderer that has a technique, that one is exchanged and nothing else.
    *
    * Returns the technique's pass, owned by the renderer, for its options; null, after an error, if there is none of
-   * that name. One that was made before, with its options, can be given instead.
+   * that name. One that was made before, with its options, can be given instead; then it is returned whether the
+   * renderer draws with it. A renderer of ParaView that draws together with those of other processes stays as it was,
+   * after an error of its that tells what to do instead.
    */
   static vtkRenderPass* Enable(vtkRenderer* renderer, const std::string& name);
-  static void Enable(vtkRenderer* renderer, vtkRenderPass* technique);
+  static bool Enable(vtkRenderer* renderer, vtkRenderPass* technique);
   ///@}
 
   /**
@@ -72,6 +74,13 @@ public:
   static void Disable(vtkRenderer* renderer);
 
   ///@{
+  /**
+   * A new pass that draws all that a renderer draws, with its effects and with the technique where it draws what is
+   * translucent; for those who have a camera pass of their own above it, as ParaView's views. What this module's own
+   * techniques draw they draw with volumes among it.
+   */
+  VTK_NEWINSTANCE static vtkRenderPass* CreateSteps(vtkRenderPass* technique);
+
   /**
    * Empty if the driver behind the window can run the technique, else what is missing. The window must have rendered
    * once. The same of a driver that has an OpenGL of this version, and nothing beyond it.
