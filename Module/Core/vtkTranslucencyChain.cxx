@@ -143,7 +143,7 @@ bool vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* techniqu
   {
     vtkErrorWithObjectMacro(renderer,
       << "the renderer's pass (" << GetNames(renderer->GetPass()) << ") draws together with those of other processes of "
-      << "ParaView, which need the same technique, so it is left as it was: load the plugin vtkTranslucency and set "
+      << "ParaView, which need the same technique, so it is left as it was: load the plugin Translucency and set "
       << "TranslucencyTechnique of the view");
     return false;
   }

@@ -16,9 +16,10 @@ What is wrong is a ValueError, which names it and what was expected, and changes
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from ._vtk import vtkObject, vtkRenderer, vtkRenderPass  # first: it refuses a VTK that the next line can't be loaded beside
@@ -42,6 +43,9 @@ def enable(renderer: Any, technique: str = "adaptive", **options: object) -> vtk
         for renderer in plotter.renderers:
             vtktranslucency.enable(renderer)
 
+    A renderer of a ParaView view that draws by itself can be given, too. Where ranks draw together, the view's property
+    TranslucencyTechnique of the plugin for ParaView is what reaches all of them, and enable() says so.
+
     The renderer's effects (FXAA, SSAO, shadows, hidden lines) and the passes that it has, or is given later, stay; so do PyVista's
     enable_anti_aliasing, enable_eye_dome_lighting, enable_ssao, enable_shadows and the like, in any order. A second call changes
     the technique only.
@@ -54,7 +58,10 @@ def enable(renderer: Any, technique: str = "adaptive", **options: object) -> vtk
     """
     renderer = _find_renderer(renderer)
     technique_pass = _create(technique, options)
-    vtkTranslucencyFactory.Enable(renderer, technique_pass)
+    with _errors_of(renderer) as messages:
+        enabled = vtkTranslucencyFactory.Enable(renderer, technique_pass)
+    if not enabled:
+        raise ValueError(" ".join(messages))
     return technique_pass
 
 
@@ -182,20 +189,27 @@ def _set_options(technique_pass: vtkRenderPass, technique: str, values: Mapping[
     if not known:
         raise ValueError(f"there is no option {next(iter(values))!r} of the technique {technique!r}: it takes none")
 
-    messages = []
+    with _errors_of(technique_pass) as messages:
+        for keyword, value in values.items():
+            _check_name(f"option {keyword!r} of the technique {technique!r}", keyword, known)
+            if not technique_pass.SetOption(keyword, str(value)):
+                raise ValueError(" ".join(messages))
+
+
+@contextlib.contextmanager
+def _errors_of(vtk_object: vtkObject) -> Iterator[list[str]]:
+    """A list of the errors that an object tells, in VTK's own words, instead of printing them."""
+    messages: list[str] = []
 
     def collect(_sender: vtkObject, _event: str, text: str) -> None:
         messages.append(re.sub(r"^ERROR: In .*, line \d+\nvtk\w+ \(\w+\): ", "", text).strip())
 
     collect.CallDataType = "string0"  # type: ignore[attr-defined]
-    observer = technique_pass.AddObserver("ErrorEvent", collect)
+    observer = vtk_object.AddObserver("ErrorEvent", collect)
     displayed = vtkObject.GetGlobalWarningDisplay()
     vtkObject.GlobalWarningDisplayOn()  # else there is no event
     try:
-        for keyword, value in values.items():
-            _check_name(f"option {keyword!r} of the technique {technique!r}", keyword, known)
-            if not technique_pass.SetOption(keyword, str(value)):
-                raise ValueError(" ".join(messages))
+        yield messages
     finally:
         vtkObject.SetGlobalWarningDisplay(displayed)
-        technique_pass.RemoveObserver(observer)
+        vtk_object.RemoveObserver(observer)
