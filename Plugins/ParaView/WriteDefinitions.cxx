@@ -92,7 +92,8 @@ public:
     : Root(Add(nullptr, "ServerManagerConfiguration"))
     , Proxies(Add(this->Root, "ProxyGroup", { { "name", Group } }))
     , Proxy(Add(this->Proxies, "Proxy",
-        { { "name", Prefix }, { "class", "vtkPVTranslucency" }, { "processes", "client|renderserver|dataserver" } }))
+        { { "name", Prefix }, { "class", "vtkPVTranslucency" }, { "si_class", "vtkSITranslucency" },
+          { "processes", "client|renderserver|dataserver" } }))
     , View(
         Add(Add(this->Root, "ProxyGroup", { { "name", "views" } }), "Extension", { { "name", "RenderView" } }))
     , SubProxy(Add(this->View, "SubProxy", { { "command", "AddRepresentation" } }))

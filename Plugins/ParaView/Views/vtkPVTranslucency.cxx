@@ -13,6 +13,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSynchronizedRenderers.h"
@@ -336,6 +337,14 @@ void vtkPVTranslucency::PutIn()
   {
     synchronizer->SetRenderPass(kept.Steps);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVTranslucency::IsDrawnByServer()
+{
+  vtkPVRenderView* view = this->Internal->View;
+  return view && vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT &&
+    view->GetUseDistributedRenderingForRender();
 }
 
 //------------------------------------------------------------------------------

@@ -77,6 +77,11 @@ public:
   const char* GetFallback();
   ///@}
 
+  /**
+   * Whether the view's last frame was drawn by the server, and shown here.
+   */
+  bool IsDrawnByServer();
+
 protected:
   vtkPVTranslucency();
   ~vtkPVTranslucency() override;
