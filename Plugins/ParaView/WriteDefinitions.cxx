@@ -51,7 +51,7 @@ void AddDocumentation(vtkXMLDataElement* property, const std::string& text)
   Add(property, "Documentation")->SetCharacterData(data.c_str(), static_cast<int>(data.size()));
 }
 
-// "memory_limit", "vtk-oit": "MemoryLimit", "VtkOit", and as a label "Memory limit".
+// "memory_limit", "vtk-oit": "MemoryLimit", "VtkOit".
 std::string ToCamelCase(const std::string& keyword)
 {
   std::string result;
@@ -68,14 +68,16 @@ std::string ToCamelCase(const std::string& keyword)
   return result;
 }
 
-std::string ToLabel(std::string keyword)
+// "memory_limit", "GatherTime": "Memory limit", "Gather time".
+std::string ToLabel(const std::string& name)
 {
-  for (char& c : keyword)
+  std::string label;
+  for (const char c : name)
   {
-    c = c == '_' ? ' ' : c;
+    label += label.empty() || !std::isupper(c) ? "" : " ";
+    label += static_cast<char>(c == '_' ? ' ' : label.empty() ? std::toupper(c) : std::tolower(c));
   }
-  keyword[0] = static_cast<char>(std::toupper(keyword[0]));
-  return keyword;
+  return label;
 }
 
 std::string ToText(const vtkTranslucencyOption& option, double value)
@@ -180,7 +182,8 @@ public:
   void AddStatistic(const std::string& type, const char* before, const std::string& name, const std::string& help)
   {
     const Element property = this->AddProperty(type + "VectorProperty", name, help,
-      { { "command", "Get" + name }, { "default_values", before }, { "information_only", "1" },
+      { { "label", ToLabel(name) },
+        { "command", "Get" + name }, { "default_values", before }, { "information_only", "1" },
         { "panel_visibility", "advanced" } });
     Add(property, "Simple" + type + "InformationHelper");
   }
@@ -243,9 +246,9 @@ int main(int argc, char* argv[])
     }
   }
   definitions.AddMeasureTimes();
-  definitions.AddStatistic("IdType", "0", "Fragments", "Translucent fragments of the last frame");
-  definitions.AddStatistic("IdType", "0", "DeepestPixel", "The most fragments that one pixel holds");
-  definitions.AddStatistic("IdType", "0", "Bytes", "Bytes of graphics memory that the technique takes");
+  definitions.AddStatistic("Double", "0", "Fragments", "Translucent fragments of the last frame");
+  definitions.AddStatistic("Double", "0", "DeepestPixel", "The most fragments that one pixel holds");
+  definitions.AddStatistic("Double", "0", "Bytes", "Bytes of graphics memory that the technique takes");
   definitions.AddStatistic("Int", "0", "Tiles", "Parts into which the picture was cut, as memory is limited");
   definitions.AddStatistic("Int", "0", "GeometryPasses", "How often translucent geometry was drawn");
   definitions.AddStatistic("Int", "0", "ScreenPasses", "How often all pixels were gone over");

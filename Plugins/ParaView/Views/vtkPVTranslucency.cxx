@@ -427,21 +427,21 @@ void vtkPVTranslucency::CompareRanks()
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkPVTranslucency::GetFragments()
+double vtkPVTranslucency::GetFragments()
 {
-  return this->GetStatistics()->GetFragments();
+  return static_cast<double>(this->GetStatistics()->GetFragments());
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkPVTranslucency::GetDeepestPixel()
+double vtkPVTranslucency::GetDeepestPixel()
 {
-  return this->GetStatistics()->GetDeepestPixel();
+  return static_cast<double>(this->GetStatistics()->GetDeepestPixel());
 }
 
 //------------------------------------------------------------------------------
-vtkTypeInt64 vtkPVTranslucency::GetBytes()
+double vtkPVTranslucency::GetBytes()
 {
-  return this->GetStatistics()->GetBytes();
+  return static_cast<double>(this->GetStatistics()->GetBytes());
 }
 
 //------------------------------------------------------------------------------

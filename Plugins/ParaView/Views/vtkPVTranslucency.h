@@ -64,10 +64,11 @@ public:
   /**
    * What the last frame took: vtkTranslucencyStatistics. Where ranks draw together, counts and bytes are the sum over
    * all ranks, and the rest is the largest of any. Zero, and negative times, where no technique of this project draws.
+   * Large numbers are doubles, since ParaView's panels have nothing to show longer integers.
    */
-  vtkTypeInt64 GetFragments();
-  vtkTypeInt64 GetDeepestPixel();
-  vtkTypeInt64 GetBytes();
+  double GetFragments();
+  double GetDeepestPixel();
+  double GetBytes();
   int GetTiles();
   int GetGeometryPasses();
   int GetScreenPasses();

@@ -6,8 +6,10 @@
 #include "vtkCollection.h"
 #include "vtkNew.h"
 #include "vtkProcessModule.h"
+#include "vtkSMProperty.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionClient.h"
 #include "vtkSMSessionProxyManager.h"
 
 #include <string>
@@ -16,21 +18,51 @@ namespace
 {
 const std::string Views = "views";
 
+vtkSMProperty* GetTechnique(vtkSMProxy* view)
+{
+  return view->GetProperty("TranslucencyTechnique");
+}
+
 bool Lacks(vtkSMProxy* proxy)
 {
-  return vtkSMRenderViewProxy::SafeDownCast(proxy) && !proxy->GetProperty("TranslucencyTechnique");
+  return vtkSMRenderViewProxy::SafeDownCast(proxy) && !GetTechnique(proxy);
+}
+
+vtkNew<vtkCallbackCommand> NewCommand(void (*callback)(vtkObject*, unsigned long, void*, void*))
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(callback);
+  return command;
+}
+
+// A server would have to be asked over the network for each frame.
+void OnDrawn(vtkObject* view, unsigned long, void*, void*)
+{
+  auto* proxy = vtkSMProxy::SafeDownCast(view);
+  if (!vtkSMSessionClient::SafeDownCast(proxy->GetSession()))
+  {
+    GetTechnique(proxy)->GetParent()->UpdatePropertyInformation(); // the sub-proxy's, which has nothing else to read
+  }
 }
 
 void OnRegistered(vtkObject*, unsigned long, void*, void* data)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
-  if (registered->Type == vtkSMProxyManager::RegisteredProxyInformation::PROXY && registered->GroupName == Views &&
-    Lacks(registered->Proxy))
+  if (registered->Type != vtkSMProxyManager::RegisteredProxyInformation::PROXY || registered->GroupName != Views)
+  {
+    return;
+  }
+  vtkSMProxy* view = registered->Proxy;
+  if (Lacks(view))
   {
     vtkGenericWarningMacro("the view " << registered->ProxyName
                                        << " draws as ParaView does without the plugin Translucency, which its server "
                                           "has not loaded: load it there, too (pvpython: LoadPlugin(path, remote=True); "
                                           "paraview: Tools, Manage Plugins, Remote Plugins), and make a new view");
+  }
+  else if (GetTechnique(view))
+  {
+    view->AddObserver(vtkCommand::EndEvent, NewCommand(OnDrawn));
   }
 }
 }
@@ -44,9 +76,7 @@ void vtkPVTranslucencyWatchViews()
     return; // a server, which has no views of its own
   }
   vtkSMProxyManager* manager = vtkSMProxyManager::GetProxyManager();
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(OnRegistered);
-  manager->AddObserver(vtkCommand::RegisterEvent, command);
+  manager->AddObserver(vtkCommand::RegisterEvent, NewCommand(OnRegistered));
 
   vtkSMSessionProxyManager* proxies = manager->GetActiveSessionProxyManager();
   if (!proxies)
