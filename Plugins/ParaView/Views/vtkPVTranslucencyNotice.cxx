@@ -9,7 +9,6 @@
 #include "vtkSMProperty.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMRenderViewProxy.h"
-#include "vtkSMSessionClient.h"
 #include "vtkSMSessionProxyManager.h"
 
 #include <string>
@@ -35,13 +34,12 @@ vtkNew<vtkCallbackCommand> NewCommand(void (*callback)(vtkObject*, unsigned long
   return command;
 }
 
-// A server would have to be asked over the network for each frame.
-void OnDrawn(vtkObject* view, unsigned long, void*, void*)
+// The sub-proxy's, which has nothing else to read. Interactive frames don't wait for it: a server has to be asked.
+void OnDrawn(vtkObject* view, unsigned long, void*, void* interactive)
 {
-  auto* proxy = vtkSMProxy::SafeDownCast(view);
-  if (!vtkSMSessionClient::SafeDownCast(proxy->GetSession()))
+  if (!*static_cast<int*>(interactive))
   {
-    GetTechnique(proxy)->GetParent()->UpdatePropertyInformation(); // the sub-proxy's, which has nothing else to read
+    GetTechnique(vtkSMProxy::SafeDownCast(view))->GetParent()->UpdatePropertyInformation();
   }
 }
 

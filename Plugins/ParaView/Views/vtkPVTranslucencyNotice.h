@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the plugin does for views where they are made, in the process that has the user interface. After each frame the
- * properties that tell what it took are read anew, so that panels show them.
+ * What the plugin does for views where they are made, in the process that has the user interface. After each still
+ * frame the properties that tell what it took are read anew, so that panels and scripts have them.
  *
  * It says where views can't have its properties, since ParaView leaves them out in silence: those that were there
  * before it was loaded, and those of a server that has not loaded it.

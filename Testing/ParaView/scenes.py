@@ -1,0 +1,389 @@
+"""scenes.py CASE PLUGIN FOLDER: runs within ParaView (pvpython, pvbatch, or paraview --script). PLUGIN is '-' for none.
+
+Most scenes are flat surfaces that cover the picture, one behind the other, each of one colour and opacity: what has to come out follows
+from the over operator.
+"""
+import sys
+
+import numpy
+
+from paraview import servermanager
+from paraview.simple import *  # noqa: F403
+from paraview.vtk.vtkCommonCore import vtkCollection
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+SIZE = 60
+BACKGROUND = (51, 102, 153)
+RANDOM = numpy.random.RandomState(1)
+COLORS = RANDOM.randint(0, 256, (20, 3))
+OPACITIES = RANDOM.randint(20, 120, 20)  # of 255
+LAYERS = 12  # more than the 4 peels of ParaView reach
+
+# Ranks hold one slab of the layers each, in an order that no blending is right with.
+LAYERS_SCRIPT = """
+import random
+from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+colors = {colors}
+ranks = vtkMultiProcessController.GetGlobalController()
+begin, end = (rank * len(colors) // ranks.GetNumberOfProcesses() for rank in
+    (ranks.GetLocalProcessId(), ranks.GetLocalProcessId() + 1))
+layers = list(range(begin, end))
+random.Random(4).shuffle(layers)
+points, cells, rgba = vtkPoints(), vtkCellArray(), vtkUnsignedCharArray()
+rgba.SetName("rgba")
+rgba.SetNumberOfComponents(4)
+for layer in layers:
+    cells.InsertNextCell(4)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        cells.InsertCellPoint(points.InsertNextPoint(x, y, -0.1 * layer))
+    rgba.InsertNextTuple4(*colors[layer])
+output.VTKObject.SetPoints(points)
+output.VTKObject.SetPolys(cells)
+output.VTKObject.GetCellData().AddArray(rgba)
+"""
+
+
+def new_view(kind="RenderView", layers=LAYERS):
+    view = CreateView(kind)
+    view.ViewSize = [SIZE, SIZE]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [part / 255 for part in BACKGROUND]
+    view.UseFXAA = 0
+    colors = [[*map(int, COLORS[i]), int(OPACITIES[i])] for i in range(layers)]
+    source = ProgrammableSource(OutputDataSetType="vtkPolyData", Script=LAYERS_SCRIPT.format(colors=colors))
+    display = Show(source, view)
+    display.ColorArrayName = ["CELLS", "rgba"]
+    display.MapScalars = 0
+    display.Ambient, display.Diffuse, display.Specular = 1, 0, 0
+    Render(view)
+    look_at_layers(view)
+    return view
+
+
+def look_at_layers(view):
+    view.CameraParallelProjection = 1
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0, 5], [0, 0, 0], [0, 1, 0]
+    view.CameraParallelScale = 0.5
+
+
+def over(layers=LAYERS, kept=LAYERS, behind=BACKGROUND):
+    """Colour and opacity of the nearest layers over what lies behind them."""
+    color, transmittance = numpy.zeros(3), 1.0
+    for i in range(min(layers, kept)):
+        opacity = OPACITIES[i] / 255
+        color += transmittance * opacity * COLORS[i]
+        transmittance *= 1 - opacity
+    return color + transmittance * numpy.array(behind), 1 - transmittance
+
+
+def to_array(image):
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1).astype(int)
+
+
+def read(name):
+    reader = vtkPNGReader()
+    reader.SetFileName(name)
+    reader.Update()
+    return to_array(reader.GetOutput())
+
+
+def draw(view):
+    Render(view)
+    return to_array(view.CaptureWindow(1))
+
+
+def expect_near(picture, expected, tolerance, what):
+    off = numpy.abs(picture - expected).max()
+    assert off <= tolerance, f"{what}: off by {off}, expected at most {tolerance}"
+
+
+def expect_far(picture, other, least, what):
+    off = numpy.abs(picture - other).max()
+    assert off >= least, f"{what}: off by {off}, expected at least {least}"
+
+
+def is_root():
+    return vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 0
+
+
+# Cases: each is a function, and what it prints is looked for by run_paraview.py.
+
+
+def stock(folder):
+    numpy.save(folder / "stock.npy", draw(new_view()))
+
+
+def techniques(folder):
+    view = new_view()
+    assert view.TranslucencyTechnique == "exact", view.TranslucencyTechnique
+    right, _ = over()
+    expect_near(draw(view), right, 1, "the default")
+    view.TranslucencyMlabLayers = view.TranslucencyKbufferLayers = view.TranslucencyHybridLayers = LAYERS
+    for technique in ("adaptive", "peel", "mlab", "kbuffer", "hybrid"):
+        view.TranslucencyTechnique = technique
+        expect_near(draw(view), right, 2, technique)
+    expect_far(numpy.load(folder / "stock.npy"), right, 5, "ParaView by itself")
+    view.TranslucencyTechnique = "None"
+    expect_near(draw(view), numpy.load(folder / "stock.npy"), 0, "None")
+
+
+def options(_folder):
+    view = new_view()
+    view.TranslucencyTechnique = "kbuffer"
+    expect_near(draw(view), over(kept=4)[0], 1, "4 layers, the default")
+    view.TranslucencyKbufferLayers = 2
+    expect_near(draw(view), over(kept=2)[0], 1, "2 layers")
+    view.TranslucencyTechnique = "exact"
+    view.TranslucencyKbufferLayers = 3  # while another one draws
+    view.TranslucencyTechnique = "kbuffer"
+    expect_near(draw(view), over(kept=3)[0], 1, "3 layers")
+    view.TranslucencyKbufferLayers = 4
+    expect_near(draw(view), over(kept=4)[0], 1, "4 layers again")
+    view.TranslucencyKbufferLayers = LAYERS
+    view.TranslucencyKbufferColorFormat = "rgba8"
+    expect_near(draw(view), over()[0], 3, "all layers, in 8 bits")
+
+
+def statistics(_folder):
+    view = new_view()
+    draw(view)
+    assert view.TranslucencyFragments == LAYERS * SIZE * SIZE, view.TranslucencyFragments
+    assert view.TranslucencyDeepestPixel == LAYERS, view.TranslucencyDeepestPixel
+    assert view.TranslucencyBytes >= 16 * LAYERS * SIZE * SIZE, view.TranslucencyBytes
+    assert view.TranslucencyTiles == 1 and view.TranslucencyFallback == "", view.TranslucencyFallback
+    assert view.TranslucencyGatherTime < 0, view.TranslucencyGatherTime
+    view.TranslucencyMeasureTimes = 1
+    draw(view)
+    assert view.TranslucencyGatherTime > 0 and view.TranslucencyResolveTime > 0, view.TranslucencyGatherTime
+    view.TranslucencyTechnique = "None"
+    draw(view)
+    assert view.TranslucencyFragments == 0, view.TranslucencyFragments
+
+
+def bad_values(_folder):
+    view = new_view()
+    for name, value in (("Technique", "exakt"), ("AdaptiveNodes", 1000), ("ExactStorage", "heap"), ("Release", "9.9")):
+        setattr(view, "Translucency" + name, value)
+    expect_near(draw(view), over()[0], 1, "after bad values")
+
+
+def effects(_folder):
+    """What ParaView does beside: the same with the technique as without, where the latter is right."""
+    layers = 3
+    scenes = {
+        "plain": {},
+        "FXAA": {"UseFXAA": 1},
+        "ambient occlusion": {"UseAmbientOcclusion": 1},
+        "tone mapping": {"UseToneMapping": 1},
+        "tone mapping and FXAA": {"UseToneMapping": 1, "UseFXAA": 1},
+        "axes": {"OrientationAxesVisibility": 1, "CenterAxesVisibility": 1},
+        "axes grid": {"grid": True},
+        "colour legend": {"legend": True},
+        "volume": {"volume": True},
+        "eye-dome lighting": {"kind": "RenderViewWithEDL"},
+    }
+    plain = None
+    for name, scene in scenes.items():
+        settings = dict(scene)
+        view = new_view(settings.pop("kind", "RenderView"), layers)
+        # What is opaque stands beside what is translucent: VTK's peeling is wrong where it lies behind it.
+        Show(Box(XLength=0.3, YLength=0.3, ZLength=0.3, Center=[-0.3, 0.3, 0.3]), view)
+        Show(Sphere(Radius=0.15, Center=[-0.3, -0.3, 0.4]), view)
+        if settings.pop("grid", False):
+            view.AxesGrid.Visibility = 1
+        if settings.pop("legend", False):
+            wavelet = Wavelet()
+            display = Show(wavelet, view)
+            display.Representation = "Outline"
+            ColorBy(display, ("POINTS", "RTData"))
+            display.SetScalarBarVisibility(view, True)
+        if settings.pop("volume", False):
+            display = Show(Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5]), view)
+            display.SetRepresentationType("Volume")
+            ColorBy(display, ("POINTS", "RTData"))
+            display.Position, display.Scale = [0.3, 0, 0.6], [0.04, 0.04, 0.04]
+        for key, value in settings.items():
+            setattr(view, key, value)
+        view.CameraParallelScale = 1.3
+        pictures = {}
+        for technique in ("None", "exact"):
+            view.TranslucencyTechnique = technique
+            draw(view)  # effects of the frame before, such as a legend's place, are over by the second one
+            pictures[technique] = draw(view)
+        plain = pictures["None"] if plain is None else plain
+        expect_near(pictures["exact"], pictures["None"], 3, name)
+        if scene and name != "FXAA":  # which the edges of a box may not need
+            expect_far(pictures["exact"], plain, 8, name + ", against a view without")
+        Delete(view)
+
+
+def selection(_folder):
+    view = new_view()
+    counts = {}
+    for technique in ("None", "exact"):
+        view.TranslucencyTechnique = technique
+        Render(view)
+        representations, sources = vtkCollection(), vtkCollection()
+        view.SMProxy.SelectSurfaceCells([10, 10, 50, 50], representations, sources, 0)
+        selected = [sources.GetItemAsObject(i) for i in range(sources.GetNumberOfItems())]
+        counts[technique] = [list(servermanager._getPyProxy(item).IDs) for item in selected]
+        if technique == "exact":
+            expect_near(draw(view), over()[0], 1, "after a selection")
+    assert counts["exact"] and counts["exact"] == counts["None"], counts
+
+
+def screenshots(folder):
+    view = new_view()
+    color, opacity = over(behind=(0, 0, 0))
+    name = str(folder / "screenshot.png")
+    for size in (SIZE, 4 * SIZE):  # the window's, and one that is put together of several pictures
+        SaveScreenshot(name, view, ImageResolution=[size, size], TransparentBackground=1)
+        picture = read(name)
+        assert picture.shape == (size, size, 4), picture.shape
+        expect_near(picture[..., 3], 255 * opacity, 2, f"opacity at {size}")
+        expect_near(picture[..., :3], color / opacity, 3, f"colour at {size}")
+
+
+def ranks(folder):
+    view = new_view()
+    number = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
+    for technique in ("exact", "adaptive"):
+        view.TranslucencyTechnique = technique
+        picture = draw(view)
+        expect_near(picture, over()[0], 2, f"{technique} on {number} ranks")
+        # ParaView cuts surfaces between ranks, and a pixel of a cut may be drawn by both.
+        assert 0 <= view.TranslucencyFragments - LAYERS * SIZE * SIZE <= 2 * LAYERS * SIZE * number, view.TranslucencyFragments
+        numpy.save(folder / f"{technique}-{number}.npy", picture)
+        if number > 1:
+            expect_near(picture, numpy.load(folder / f"{technique}-1.npy"), 2, f"{technique} against one rank")
+
+
+def ranks_differ(_folder):
+    """In pvbatch --symmetric, where each rank sets its own properties. (All have to set some: ParaView itself hangs otherwise.)"""
+    view = new_view()
+    view.TranslucencyTechnique = "mlab" if is_root() else "additive"
+    for _ in range(3):
+        Render(view)
+    view.TranslucencyTechnique = "exact"
+    Render(view)
+    print("went on", flush=True)
+
+
+def enable(_folder):
+    import vtktranslucency
+
+    view = new_view()
+    if hasattr(view, "TranslucencyTechnique"):
+        view.TranslucencyTechnique = "None"
+    before = draw(view)
+    expect_far(before, over()[0], 5, "ParaView by itself")
+    renderer = view.GetClientSideObject().GetRenderer()
+    technique = vtktranslucency.enable(renderer, "exact", memory_limit=64)
+    expect_near(draw(view), over()[0], 1, "enabled")
+    view.UseFXAA = 1  # ParaView makes its passes anew
+    expect_near(draw(view), over()[0], 1, "with FXAA")
+    view.GetRenderWindow().MakeCurrent()
+    assert technique.GetStatistics().GetFragments() == LAYERS * SIZE * SIZE
+    view.UseFXAA = 0
+    vtktranslucency.disable(renderer)
+    expect_near(draw(view), before, 0, "disabled")
+
+
+def enable_on_ranks(_folder):
+    import vtktranslucency
+
+    view = new_view()
+    before = draw(view)
+    try:
+        vtktranslucency.enable(view.GetClientSideObject().GetRenderer(), "exact")
+    except ValueError as error:
+        print("refused:", error)
+    expect_near(draw(view), before, 0, "after enable() was refused")
+
+
+def save_state(folder):
+    view = new_view()
+    if hasattr(view, "TranslucencyTechnique"):
+        view.TranslucencyTechnique = "kbuffer"
+        view.TranslucencyKbufferLayers = 3
+        SaveState(str(folder / "with.pvsm"))
+    else:
+        SaveState(str(folder / "without.pvsm"))
+
+
+def load_state(folder, name):
+    LoadState(str(folder / name))
+    view = GetActiveView()
+    view.ViewSize = [SIZE, SIZE]
+    Render(view)  # resets the camera
+    look_at_layers(view)
+    return view
+
+
+def load_with(folder):
+    view = load_state(folder, "with.pvsm")
+    if hasattr(view, "TranslucencyTechnique"):
+        assert (view.TranslucencyTechnique, view.TranslucencyKbufferLayers) == ("kbuffer", 3)
+        expect_near(draw(view), over(kept=3)[0], 1, "the state")
+    else:
+        expect_near(draw(view), numpy.load(folder / "stock.npy"), 0, "the state without the plugin")
+
+
+def load_without(folder):
+    view = load_state(folder, "without.pvsm")
+    assert view.TranslucencyTechnique == "exact", view.TranslucencyTechnique
+    expect_near(draw(view), over()[0], 1, "a state that knows no technique")
+
+
+def remote(folder):
+    """A server, which draws with RemoteRenderThreshold 0, and sends what it has otherwise."""
+    view = new_view()
+    right, wrong = over()[0], numpy.load(folder / "stock.npy")
+    drawn = {}
+    for threshold in (0, 1000):
+        view.RemoteRenderThreshold = threshold
+        if hasattr(view, "TranslucencyTechnique"):
+            view.TranslucencyTechnique = "None"
+            expect_near(draw(view), wrong, 0, f"None, threshold {threshold}")
+            view.TranslucencyTechnique = "exact"
+        drawn[threshold] = draw(view)
+        if hasattr(view, "TranslucencyTechnique"):
+            drawn["fragments", threshold] = view.TranslucencyFragments
+    return drawn, right, wrong
+
+
+def remote_both(folder):
+    drawn, right, _ = remote(folder)
+    for threshold in (0, 1000):
+        expect_near(drawn[threshold], right, 1, f"threshold {threshold}")
+        assert drawn["fragments", threshold] == LAYERS * SIZE * SIZE, drawn["fragments", threshold]
+
+
+def remote_client_only(folder):
+    drawn, _, wrong = remote(folder)
+    for threshold in (0, 1000):
+        expect_near(drawn[threshold], wrong, 0, f"threshold {threshold}")
+
+
+def remote_server_only(folder):
+    drawn, right, wrong = remote(folder)
+    expect_near(drawn[0], right, 1, "drawn by the server")
+    expect_near(drawn[1000], wrong, 0, "drawn by the client")
+
+
+def gui(folder):
+    """In paraview itself, whose view is there before the script."""
+    view = GetActiveViewOrCreate("RenderView")
+    assert view.TranslucencyTechnique == "exact", view.TranslucencyTechnique
+    Delete(view)
+    view = new_view()
+    name = str(folder / "gui.png")
+    SaveScreenshot(name, view, ImageResolution=[SIZE, SIZE])
+    expect_near(read(name), over()[0], 1, "a screenshot")
