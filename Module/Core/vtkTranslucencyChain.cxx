@@ -142,7 +142,8 @@ bool vtkTranslucencyChain::Enable(vtkRenderer* renderer, vtkRenderPass* techniqu
   if (renderer->GetPass() && DrawsWithOtherProcesses(renderer->GetPass()))
   {
     vtkErrorWithObjectMacro(renderer,
-      << "the renderer's pass (" << GetNames(renderer->GetPass()) << ") draws together with those of other processes of "
+      << "the renderer's pass (" << GetNames(renderer->GetPass())
+      << ") draws together with those of other processes of "
       << "ParaView, which need the same technique, so it is left as it was: load the plugin Translucency and set "
       << "TranslucencyTechnique of the view");
     return false;

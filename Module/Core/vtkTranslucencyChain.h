@@ -17,8 +17,8 @@
  * - A vtkShadowMapPass draws what is opaque, and what steps before it have drawn would be hidden: there the technique
  * is drawn with it, and shadows fall on what is translucent.
  *
- * A chain with ParaView's vtkIceTCompositePass is left alone: it draws together with those of other processes, and waits
- * for all of them.
+ * A chain with ParaView's vtkIceTCompositePass is left alone: it draws together with those of other processes, and
+ * waits for all of them.
  *
  * There is one of them a renderer, which owns it.
  */
@@ -88,7 +88,7 @@ private:
   vtkSmartPointer<vtkRenderPass> Technique;
   vtkSmartPointer<vtkTranslucencyRenderStepsPass> Steps;      // for a renderer without a pass
   vtkSmartPointer<vtkTranslucencyRenderStepsPass> StepsBelow; // below a camera pass of ParaView's
-  std::vector<Edit> Edits;                               // by which the technique was put in
+  std::vector<Edit> Edits;                                    // by which the technique was put in
   bool TookVolumes = false;
   std::vector<vtkRenderPass*> Tree; // the passes as they were left: compared only, for they may be gone
 };

@@ -96,8 +96,7 @@ public:
     , Proxy(Add(this->Proxies, "Proxy",
         { { "name", Prefix }, { "class", "vtkPVTranslucency" }, { "si_class", "vtkSITranslucency" },
           { "processes", "client|renderserver|dataserver" } }))
-    , View(
-        Add(Add(this->Root, "ProxyGroup", { { "name", "views" } }), "Extension", { { "name", "RenderView" } }))
+    , View(Add(Add(this->Root, "ProxyGroup", { { "name", "views" } }), "Extension", { { "name", "RenderView" } }))
     , SubProxy(Add(this->View, "SubProxy", { { "command", "AddRepresentation" } }))
   {
     Add(this->SubProxy, "Proxy", { { "name", Prefix }, { "proxygroup", Group }, { "proxyname", Prefix } });
@@ -105,7 +104,8 @@ public:
     this->Panel = Add(this->View, "PropertyGroup", { { "label", "Translucent Rendering Options" } });
   }
 
-  Element AddProperty(const std::string& type, const std::string& name, const std::string& help, const Attributes& attributes)
+  Element AddProperty(
+    const std::string& type, const std::string& name, const std::string& help, const Attributes& attributes)
   {
     const std::string whole = Prefix + name;
     const Element property = Add(this->Proxy, type, attributes);
@@ -148,10 +148,9 @@ public:
     const char* command = option.Type == Kind::Integer ? "SetIntegerOption"
       : option.Type == Kind::Real                      ? "SetRealOption"
                                                        : "SetChoiceOption";
-    const Element property =
-      this->AddProperty(type, ToCamelCase(technique) + ToCamelCase(option.Keyword), option.Help,
-        { { "label", ToLabel(option.Keyword) }, { "command", command },
-          { "initial_string", technique + " " + option.Keyword }, { "default_values", ToText(option, option.Default) } });
+    const Element property = this->AddProperty(type, ToCamelCase(technique) + ToCamelCase(option.Keyword), option.Help,
+      { { "label", ToLabel(option.Keyword) }, { "command", command },
+        { "initial_string", technique + " " + option.Keyword }, { "default_values", ToText(option, option.Default) } });
     if (option.Type == Kind::Choice)
     {
       AddStrings(property, option.Choices);
@@ -182,9 +181,8 @@ public:
   void AddStatistic(const std::string& type, const char* before, const std::string& name, const std::string& help)
   {
     const Element property = this->AddProperty(type + "VectorProperty", name, help,
-      { { "label", ToLabel(name) },
-        { "command", "Get" + name }, { "default_values", before }, { "information_only", "1" },
-        { "panel_visibility", "advanced" } });
+      { { "label", ToLabel(name) }, { "command", "Get" + name }, { "default_values", before },
+        { "information_only", "1" }, { "panel_visibility", "advanced" } });
     Add(property, "Simple" + type + "InformationHelper");
   }
 
@@ -253,8 +251,10 @@ int main(int argc, char* argv[])
   definitions.AddStatistic("Int", "0", "GeometryPasses", "How often translucent geometry was drawn");
   definitions.AddStatistic("Int", "0", "ScreenPasses", "How often all pixels were gone over");
   definitions.AddStatistic("Int", "0", "ShaderBuilds", "Shaders that were built anew");
-  definitions.AddStatistic("Double", "-1", "GatherTime", "Milliseconds for drawing the geometry; negative if not timed");
-  definitions.AddStatistic("Double", "-1", "ResolveTime", "Milliseconds for putting pixels together; negative likewise");
+  definitions.AddStatistic(
+    "Double", "-1", "GatherTime", "Milliseconds for drawing the geometry; negative if not timed");
+  definitions.AddStatistic(
+    "Double", "-1", "ResolveTime", "Milliseconds for putting pixels together; negative likewise");
   definitions.AddStatistic("String", "", "Fallback", "Empty, or what was drawn instead: peeling or blending");
   definitions.AddMark();
 

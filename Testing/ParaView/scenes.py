@@ -8,7 +8,22 @@ import sys
 import numpy
 
 from paraview import servermanager
-from paraview.simple import *  # noqa: F403
+from paraview.simple import (
+    Box,
+    ColorBy,
+    CreateView,
+    Delete,
+    GetActiveView,
+    GetActiveViewOrCreate,
+    LoadState,
+    ProgrammableSource,
+    Render,
+    SaveScreenshot,
+    SaveState,
+    Show,
+    Sphere,
+    Wavelet,
+)
 from paraview.vtk.vtkCommonCore import vtkCollection
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -49,7 +64,10 @@ output.VTKObject.GetCellData().AddArray(rgba)
 
 
 def new_view(kind="RenderView", layers=LAYERS):
-    view = CreateView(kind)
+    return set_up(CreateView(kind), layers)
+
+
+def set_up(view, layers=LAYERS):
     view.ViewSize = [SIZE, SIZE]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
@@ -208,7 +226,8 @@ def effects(_folder):
             display = Show(Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5]), view)
             display.SetRepresentationType("Volume")
             ColorBy(display, ("POINTS", "RTData"))
-            display.Position, display.Scale = [0.3, 0, 0.6], [0.04, 0.04, 0.04]
+            display.Scale = [0.04, 0.04, 0.04]
+            setattr(display, "Translation" if hasattr(display, "Translation") else "Position", [0.3, 0, 0.6])
         for key, value in settings.items():
             setattr(view, key, value)
         view.CameraParallelScale = 1.3
@@ -379,11 +398,10 @@ def remote_server_only(folder):
 
 
 def gui(folder):
-    """In paraview itself, whose view is there before the script."""
+    """In paraview itself, in the view that is there when it starts."""
     view = GetActiveViewOrCreate("RenderView")
     assert view.TranslucencyTechnique == "exact", view.TranslucencyTechnique
-    Delete(view)
-    view = new_view()
+    set_up(view)
     name = str(folder / "gui.png")
     SaveScreenshot(name, view, ImageResolution=[SIZE, SIZE])
     expect_near(read(name), over()[0], 1, "a screenshot")

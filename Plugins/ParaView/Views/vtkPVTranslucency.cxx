@@ -91,10 +91,7 @@ struct vtkPVTranslucency::Internals
   std::string Fallback;
   bool Agreed = true;
 
-  vtkPVSynchronizedRenderer* GetSynchronizer()
-  {
-    return this->View ? ViewWithSynchronizer::Get(this->View) : nullptr;
-  }
+  vtkPVSynchronizedRenderer* GetSynchronizer() { return this->View ? ViewWithSynchronizer::Get(this->View) : nullptr; }
 
   // Whether each picture is composed of those of several ranks, which all draw at the same time.
   bool DrawsWithOtherRanks()
@@ -193,7 +190,8 @@ void vtkPVTranslucency::SetTechnique(const char* name)
   if (technique != None && GetIndex(technique) < 0)
   {
     vtkErrorMacro("TranslucencyTechnique is '" << technique << "', expected one of: " << GetNames()
-                                               << "; the view draws by '" << this->Internal->Technique << "' as before");
+                                               << "; the view draws by '" << this->Internal->Technique
+                                               << "' as before");
     return;
   }
   if (this->Internal->Technique != technique)
@@ -240,8 +238,9 @@ void vtkPVTranslucency::SetOption(const char* option, const std::string& value)
   auto* own = vtkTranslucencyPass::SafeDownCast(trial);
   if (!own)
   {
-    vtkErrorMacro("there is no technique '" << technique << "' with options (for '" << keyword << "' = '" << value
-                                            << "'): the plugins of the client and the server are of different releases");
+    vtkErrorMacro("there is no technique '"
+      << technique << "' with options (for '" << keyword << "' = '" << value
+      << "'): the plugins of the client and the server are of different releases");
     return;
   }
   const std::string byDefault = own->GetOption(keyword);
@@ -328,7 +327,8 @@ void vtkPVTranslucency::MakePasses()
 }
 
 //------------------------------------------------------------------------------
-// Ray tracing takes the place of the technique, and gives it back: what has been there then may not be what is wanted now.
+// Ray tracing takes the place of the technique, and gives it back: what has been there then may not be what is wanted
+// now.
 void vtkPVTranslucency::PutIn()
 {
   Internals& kept = *this->Internal;
@@ -387,8 +387,8 @@ void vtkPVTranslucency::CompareRanks()
   const double fallback = found->GetFallback().empty() ? 0 : found->GetFallback() == "peeling" ? 1 : 2;
   const std::vector<double> largest{ description, -description, fallback, static_cast<double>(found->GetDeepestPixel()),
     static_cast<double>(found->GetTiles()), static_cast<double>(found->GetGeometryPasses()),
-    static_cast<double>(found->GetScreenPasses()), static_cast<double>(found->GetShaderBuilds()), found->GetGatherTime(),
-    found->GetResolveTime() };
+    static_cast<double>(found->GetScreenPasses()), static_cast<double>(found->GetShaderBuilds()),
+    found->GetGatherTime(), found->GetResolveTime() };
 
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
   std::vector<double> sum(sums.size());

@@ -53,10 +53,11 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   vtkSMProxy* view = registered->Proxy;
   if (Lacks(view))
   {
-    vtkGenericWarningMacro("the view " << registered->ProxyName
-                                       << " draws as ParaView does without the plugin Translucency, which its server "
-                                          "has not loaded: load it there, too (pvpython: LoadPlugin(path, remote=True); "
-                                          "paraview: Tools, Manage Plugins, Remote Plugins), and make a new view");
+    vtkGenericWarningMacro(
+      "the view " << registered->ProxyName
+                  << " draws as ParaView does without the plugin Translucency, which its server "
+                     "has not loaded: load it there, too (pvpython: LoadPlugin(path, remote=True); "
+                     "paraview: Tools, Manage Plugins, Remote Plugins), and make a new view");
   }
   else if (GetTechnique(view))
   {
@@ -87,9 +88,10 @@ void vtkPVTranslucencyWatchViews()
   {
     if (Lacks(vtkSMProxy::SafeDownCast(views->GetItemAsObject(i))))
     {
-      vtkGenericWarningMacro("views that were there before the plugin Translucency was loaded go on to draw as they did: "
-                             "make a new view, or have the plugin loaded when ParaView starts (paraview: Auto Load in "
-                             "Manage Plugins; everywhere: PV_PLUGIN_PATH)");
+      vtkGenericWarningMacro(
+        "views that were there before the plugin Translucency was loaded go on to draw as they did: "
+        "make a new view, or have the plugin loaded when ParaView starts (paraview: Auto Load in "
+        "Manage Plugins; everywhere: PV_PLUGIN_PATH)");
       return;
     }
   }
