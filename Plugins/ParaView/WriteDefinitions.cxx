@@ -169,6 +169,14 @@ public:
         { "value", technique } });
   }
 
+  void AddSamples()
+  {
+    const Element property = this->AddProperty("IntVectorProperty", "Samples",
+      "Samples per pixel, for smooth edges; more than one takes the place of FXAA",
+      { { "label", "Samples" }, { "command", "SetSamples" }, { "default_values", "1" } });
+    Add(property, "IntRangeDomain", { { "name", "range" }, { "min", "1" }, { "max", "8" } });
+  }
+
   void AddMeasureTimes()
   {
     const Element property = this->AddProperty("IntVectorProperty", "MeasureTimes",
@@ -231,6 +239,7 @@ int main(int argc, char* argv[])
   Definitions definitions;
   definitions.AddRelease();
   definitions.AddTechniques();
+  definitions.AddSamples();
   for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
   {
     const std::string technique = vtkTranslucencyFactory::GetTechniqueName(i);

@@ -97,6 +97,11 @@ def run_bad_values(programs):
     ])
 
 
+def run_samples(programs):
+    for number in (1, 2):
+        programs.run_on_ranks(number, "samples", says=["TranslucencySamples is 9, expected 1 to 8; the view draws with 4 as before"])
+
+
 def run_effects(programs):
     programs.run("effects")
 

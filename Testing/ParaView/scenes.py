@@ -3,8 +3,6 @@
 Most scenes are flat surfaces that cover the picture, one behind the other, each of one colour and opacity: what has to come out follows
 from the over operator.
 """
-import sys
-
 import numpy
 
 from paraview import servermanager
@@ -190,6 +188,30 @@ def bad_values(_folder):
     for name, value in (("Technique", "exakt"), ("AdaptiveNodes", 1000), ("ExactStorage", "heap"), ("Release", "9.9")):
         setattr(view, "Translucency" + name, value)
     expect_near(draw(view), over()[0], 1, "after bad values")
+
+
+def samples(_folder):
+    """A pixel at the edge of one surface has so many quarters of its colour as samples lie on it."""
+    view = new_view(layers=1)
+    view.CameraViewUp = [0.2, 1, 0]
+    view.CameraParallelScale = 1.7
+    whole, background = over(layers=1)[0], numpy.array(BACKGROUND)
+    for count, quarters in ((1, (0, 4)), (4, (0, 1, 2, 3, 4))):
+        view.UseFXAA = 0 if count == 1 else 1  # which is left out then
+        view.TranslucencySamples = count
+        picture = draw(view)
+        colors = numpy.array([background + part / 4 * (whole - background) for part in quarters])
+        off = numpy.abs(picture[:, :, None, :] - colors).max(axis=3)
+        expect_near(off.min(axis=2), 0, 1, f"{count} samples")
+        found = numpy.unique(off.argmin(axis=2))
+        assert len(found) >= (4 if count > 1 else 2), found
+    view.TranslucencySamples = 9
+    Delete(view)
+    view = new_view()
+    view.TranslucencySamples = 4
+    expect_near(draw(view), over()[0], 1, "where no edges are")
+    if is_root():
+        assert view.TranslucencyFragments >= LAYERS * SIZE * SIZE, view.TranslucencyFragments
 
 
 def effects(_folder):

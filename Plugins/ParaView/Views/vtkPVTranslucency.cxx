@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVTranslucency.h"
 
+#include "vtkPVSamplesPass.h"
 #include "vtkTranslucencyFactory.h"
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyStatistics.h"
@@ -78,9 +79,10 @@ struct vtkPVTranslucency::Internals
   std::string Technique = None;
   std::map<std::string, Values> Options; // by technique
   bool MeasureTimes = false;
+  int Samples = 1;
 
-  vtkSmartPointer<vtkRenderPass> Pass;  // null where ParaView draws by itself
-  vtkSmartPointer<vtkRenderPass> Steps; // what the view has of it
+  vtkSmartPointer<vtkRenderPass> Pass;     // null where ParaView draws by itself
+  vtkSmartPointer<vtkPVSamplesPass> Steps; // what the view has of it
 
   vtkWeakPointer<vtkPVRenderView> View;
   vtkWeakPointer<vtkRenderer> Renderer;
@@ -122,7 +124,7 @@ struct vtkPVTranslucency::Internals
   // What ranks have to have in common.
   std::string Describe()
   {
-    std::string text = this->Technique;
+    std::string text = this->Technique + ' ' + std::to_string(this->Samples);
     for (const auto& option : this->Options[this->Technique])
     {
       text += ' ' + option.first + '=' + option.second;
@@ -146,6 +148,7 @@ void vtkPVTranslucency::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Technique: " << this->Internal->Technique << "\n";
+  os << indent << "Samples: " << this->Internal->Samples << "\n";
   os << indent << "MeasureTimes: " << this->Internal->MeasureTimes << "\n";
 }
 
@@ -277,6 +280,24 @@ void vtkPVTranslucency::SetOption(const char* option, const std::string& value)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVTranslucency::SetSamples(int samples)
+{
+  Internals& kept = *this->Internal;
+  if (samples < 1 || samples > 8)
+  {
+    vtkErrorMacro("TranslucencySamples is " << samples << ", expected 1 to 8; the view draws with " << kept.Samples
+                                            << " as before");
+    return;
+  }
+  kept.Samples = samples;
+  if (kept.Steps)
+  {
+    kept.Steps->SetSamples(samples);
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkPVTranslucency::SetMeasureTimes(bool measure)
 {
   this->Internal->MeasureTimes = measure;
@@ -316,7 +337,9 @@ void vtkPVTranslucency::MakePasses()
         own->SetOption(option.first, option.second);
       }
     }
-    kept.Steps = vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateSteps(kept.Pass));
+    kept.Steps = vtkSmartPointer<vtkPVSamplesPass>::New();
+    kept.Steps->SetSamples(kept.Samples);
+    kept.Steps->SetDelegate(vtkSmartPointer<vtkRenderPass>::Take(vtkTranslucencyFactory::CreateSteps(kept.Pass)));
   }
   vtkPVSynchronizedRenderer* synchronizer = kept.GetSynchronizer();
   if (synchronizer && synchronizer->GetRenderPass() == before)

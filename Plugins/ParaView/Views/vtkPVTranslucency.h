@@ -50,6 +50,12 @@ public:
   ///@}
 
   /**
+   * Samples per pixel of what the technique draws with, opaque surfaces included: 1 (the default) to 8. More than one
+   * takes the place of FXAA. Another number is an error and changes nothing.
+   */
+  void SetSamples(int samples);
+
+  /**
    * Whether the stages of a frame are timed, which waits for the GPU.
    */
   void SetMeasureTimes(bool measure);

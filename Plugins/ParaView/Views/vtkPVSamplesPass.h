@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVSamplesPass
+ * @brief   has what is below it drawn with several samples per pixel
+ *
+ * ParaView's windows have one sample, and what it reads from them (parts of ranks, depths for a picker) could not be
+ * read if they had more. So the samples are in a framebuffer of this pass: it takes what the bound framebuffer holds,
+ * has its delegate draw, and gives colour (the mean of the samples) and depth (of one of them) back. FXAA, which can't
+ * read several samples and has no edges to smooth then, is left out.
+ *
+ * It takes 8 bytes per sample and pixel.
+ */
+#ifndef vtkPVSamplesPass_h
+#define vtkPVSamplesPass_h
+
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+class vtkOpenGLRenderWindow;
+
+class vtkPVSamplesPass : public vtkRenderPass
+{
+public:
+  static vtkPVSamplesPass* New();
+  vtkTypeMacro(vtkPVSamplesPass, vtkRenderPass);
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /// What draws.
+  void SetDelegate(vtkRenderPass* pass) { this->Delegate = pass; }
+
+  /// Samples per pixel; 1, the default, has the delegate draw as it would without this pass. A driver that has fewer
+  /// draws with as many as it has, after a warning.
+  void SetSamples(int samples) { this->Samples = samples; }
+
+protected:
+  vtkPVSamplesPass() = default;
+  ~vtkPVSamplesPass() override = default;
+
+private:
+  vtkPVSamplesPass(const vtkPVSamplesPass&) = delete;
+  void operator=(const vtkPVSamplesPass&) = delete;
+
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void Free();
+
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  int Samples = 1;
+
+  std::array<unsigned int, 3> Allocated{ { 0, 0, 0 } }; // framebuffer, colour, depth
+  std::array<int, 4> Layout{ { 0, 0, 0, 0 } };          // width, height, samples, format of the depths
+  bool Warned = false;
+};
+
+#endif
