@@ -21,7 +21,6 @@
 #include "vtkTranslucencyTargets.h"
 #include "vtkTranslucencyVTKVersion.h"
 
-#include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
@@ -88,15 +87,8 @@ void vtkTranslucencyFrame::UseTile()
   const Rectangle& tile = this->GetTile();
   std::array<float, 4> numbers;
   std::copy(tile.begin(), tile.end(), numbers.begin());
-  std::array<float, 4> clipping{ { 1, 1, 0, 0 } };
-  vtkCamera* camera = this->State->GetRenderer()->GetActiveCamera();
-  if (!camera->GetParallelProjection())
-  {
-    const double* range = camera->GetClippingRange();
-    clipping[0] = static_cast<float>(range[0]);
-    clipping[1] = static_cast<float>(range[1]);
-  }
-  kept.Mappers->SetFrameValues({ { "frameTileNumbers", numbers }, { "frameClipping", clipping } });
+  kept.Mappers->SetFrameValues({ { "frameTileNumbers", numbers },
+    { "frameClipping", vtkTranslucencyScene::GetClipping(this->State->GetRenderer()) } });
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(tile[0], tile[1], tile[2], tile[3]);

@@ -31,6 +31,18 @@ std::array<std::array<double, 4>, 8> GetCorners(const Bounds& bounds)
 }
 
 //------------------------------------------------------------------------------
+std::array<float, 4> vtkTranslucencyScene::GetClipping(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (camera->GetParallelProjection())
+  {
+    return { { 1, 1, 0, 0 } };
+  }
+  const double* range = camera->GetClippingRange();
+  return { { static_cast<float>(range[0]), static_cast<float>(range[1]), 0, 0 } };
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkProp*> vtkTranslucencyScene::GetProps() const
 {
   std::vector<vtkProp*> props;

@@ -16,6 +16,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderState;
+class vtkRenderer;
 class vtkTranslucencyUnreached;
 
 class vtkTranslucencyScene
@@ -28,6 +29,10 @@ public:
     , Kept(kept)
   {
   }
+
+  /// The distances of the near and the far plane, or 1 and 1 where the projection is parallel, and twice 0
+  /// (Shaders/Common/Frame.glsl).
+  static std::array<float, 4> GetClipping(vtkRenderer* renderer);
 
   /// In the order of drawing.
   std::vector<vtkProp*> GetProps() const;

@@ -174,7 +174,7 @@ TEST_F(TestFragmentTrace, SeveralSamplesAreAnError)
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_NE(messages[0].find("a pixel has 4 samples, expected 1"), std::string::npos) << messages[0];
   EXPECT_EQ(trace->GetFragments().size(), 0u);
-  EXPECT_EQ(trace->GetStatistics()->GetFallback(), "blending");
+  EXPECT_EQ(trace->GetStatistics()->GetFallback(), "peeling");
 }
 
 //------------------------------------------------------------------------------
