@@ -45,10 +45,15 @@ BlendFunction GetFunction(vtkTranslucencyStage::Blending blending)
 }
 
 // That of one of a stage's buffers.
-BlendFunction GetFunction(const vtkTranslucencyStage& stage, int buffer)
+vtkTranslucencyStage::Blending GetBlending(const vtkTranslucencyStage& stage, int buffer)
 {
   const auto differing = stage.Differing.find(buffer);
-  return GetFunction(differing == stage.Differing.end() ? stage.Blend : differing->second.Blend);
+  return differing == stage.Differing.end() ? stage.Blend : differing->second.Blend;
+}
+
+BlendFunction GetFunction(const vtkTranslucencyStage& stage, int buffer)
+{
+  return GetFunction(GetBlending(stage, buffer));
 }
 }
 
@@ -84,10 +89,9 @@ void vtkTranslucencyBlending::Keep(vtkOpenGLState* state, const vtkTranslucencyS
 std::vector<vtkTranslucencyStage> vtkTranslucencyBlending::Split(const vtkTranslucencyStage& stage)
 {
   std::vector<vtkTranslucencyStage> parts;
-  for (int buffer = 0; !stage.Differing.empty() && buffer < stage.Targets->GetCount(); ++buffer)
+  for (int buffer = 0; buffer < stage.Targets->GetCount(); ++buffer)
   {
-    const auto differing = stage.Differing.find(buffer);
-    const auto blend = differing == stage.Differing.end() ? stage.Blend : differing->second.Blend;
+    const vtkTranslucencyStage::Blending blend = GetBlending(stage, buffer);
     auto alike = std::find_if(
       parts.begin(), parts.end(), [blend](const vtkTranslucencyStage& part) { return part.Blend == blend; });
     if (alike == parts.end())
@@ -102,7 +106,7 @@ std::vector<vtkTranslucencyStage> vtkTranslucencyBlending::Split(const vtkTransl
     }
     alike->Masked.erase(buffer);
   }
-  return parts.empty() ? std::vector<vtkTranslucencyStage>{ stage } : parts;
+  return parts;
 }
 
 //------------------------------------------------------------------------------

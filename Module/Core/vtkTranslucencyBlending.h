@@ -21,7 +21,7 @@ public:
   /// The same if a mapper has set a function of its own since.
   static void Keep(vtkOpenGLState* state, const vtkTranslucencyStage& stage);
 
-  /// The stage as several, in each of which all buffers that are drawn to are blended alike; itself where they are.
+  /// A stage that draws to targets, as several, in each of which all buffers that are drawn to are blended alike.
   static std::vector<vtkTranslucencyStage> Split(const vtkTranslucencyStage& stage);
 
   /// Masks the buffers that a stage leaves alone, and takes the masks away. The cache knows of neither.

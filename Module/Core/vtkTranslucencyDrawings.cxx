@@ -38,22 +38,28 @@ private:
 void vtkTranslucencyDrawings::Each(const vtkTranslucencyStage& stage, const vtkTranslucencyCapabilities& capabilities,
   int samples, const std::function<void(const vtkTranslucencyStage& drawn, int sample)>& draw)
 {
-  const std::vector<vtkTranslucencyStage> blendings = capabilities.BlendsBuffersApart
-    ? std::vector<vtkTranslucencyStage>{ stage }
-    : vtkTranslucencyBlending::Split(stage);
-  for (const vtkTranslucencyStage& drawn : blendings)
+  const auto drawSamples = [&](const vtkTranslucencyStage& drawn)
   {
     if (samples == 1 || capabilities.ShadesSamples)
     {
       draw(drawn, 0);
-      continue;
+      return;
     }
     for (int sample = 0; sample < samples; ++sample)
     {
       const ScopedSample only(sample);
       draw(drawn, sample);
     }
+  };
+  if (capabilities.BlendsBuffersApart || stage.Differing.empty())
+  {
+    drawSamples(stage);
+    return;
   }
-  vtkTranslucencyBlending::Unmask(blendings.back());
+  for (const vtkTranslucencyStage& part : vtkTranslucencyBlending::Split(stage))
+  {
+    drawSamples(part);
+    vtkTranslucencyBlending::Unmask(part);
+  }
 }
 VTK_ABI_NAMESPACE_END

@@ -114,8 +114,9 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
     *any = false;
   }
   // What reads targets, or layers of props that are drawn by themselves, reads a sample of them.
-  const bool reads = !stage.Inputs.empty() || kept.Unreached.HasAny(this->State);
-  const int samples = reads ? this->Shaders.GetContext().TargetSamples : 1;
+  const int pixelSamples = this->Shaders.GetContext().TargetSamples;
+  const bool reads = pixelSamples > 1 && (!stage.Inputs.empty() || kept.Unreached.HasAny(this->State));
+  const int samples = reads ? pixelSamples : 1;
   vtkTranslucencyDrawings::Each(stage, kept.Capabilities, samples,
     [&](const vtkTranslucencyStage& drawn, int sample)
     {

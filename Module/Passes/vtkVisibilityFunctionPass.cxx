@@ -68,8 +68,10 @@ void vtkVisibilityFunctionPass::WarnOfUnusedOptions()
   }
   if (!unused.empty() && unused != this->UnusedOptions)
   {
-    vtkWarningMacro(<< unused
-                    << ", but Memory is Fixed (1), which keeps no fragments: expected Variable (0), or the default");
+    const bool chosen = this->Memory == Fixed;
+    vtkWarningMacro(<< unused << ", but "
+                    << (chosen ? "Memory is Fixed (1), which keeps no fragments: expected Variable (0), or the default"
+                               : "the driver has no storage buffers to keep fragments in: expected the default"));
   }
   this->UnusedOptions = unused;
 }

@@ -12,6 +12,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDepthPeelPass.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -268,6 +269,44 @@ TEST(TestOldDriver, HasNoMoreThanItsVersion)
   EXPECT_EQ(found.MissingForRetries, expected.MissingForRetries);
   EXPECT_EQ(found.BlendsBuffersApart, expected.BlendsBuffersApart);
   EXPECT_EQ(found.ShadesSamples, expected.ShadesSamples);
+}
+
+//------------------------------------------------------------------------------
+class TestOldDriverWarnings : public RenderTest
+{
+};
+
+// That options of the storage do nothing is said, and once. fourier also says that it draws as in fixed memory.
+TEST_F(TestOldDriverWarnings, NameOptionsThatDoNothing)
+{
+  struct Expected
+  {
+    Way Technique;
+    std::vector<std::string> Messages;
+  };
+  const std::vector<Expected> all{
+    { { "fourier", "memory_limit", "64" },
+      { "drawing as with Fixed", "MemoryLimit is 64, but the driver has no storage buffers" } },
+    { { "peel", "memory_limit", "64" }, { "the targets that bucket-sort draws to have no limit" } },
+  };
+  for (const Expected& expected : all)
+  {
+    const auto pass = NewPass(expected.Technique);
+    if (auto* peel = vtkDepthPeelPass::SafeDownCast(pass))
+    {
+      peel->SetMethod(vtkDepthPeelPass::BucketSort);
+    }
+    View view(Drawing::GetScene(Layers));
+    view.SetPass(pass);
+    view.Render();
+    view.Render();
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), expected.Messages.size()) << expected.Technique.Technique;
+    for (std::size_t i = 0; i < messages.size(); ++i)
+    {
+      EXPECT_NE(messages[i].find(expected.Messages[i]), std::string::npos) << messages[i];
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

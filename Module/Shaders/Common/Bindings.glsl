@@ -7,7 +7,7 @@
 
 #define STORAGE_BINDING_STATISTICS 0 // written by the resolve, see Statistics.glsl
 #define STORAGE_BINDING_COUNTERS 1   // fragment storage: what was allocated; locks of pixels
-#define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel; counts of records; a technique's table
+#define STORAGE_BINDING_TABLE 2      // fragment storage: one entry a pixel; counts of records
 #define STORAGE_BINDING_FRAGMENTS 3  // fragment storage: the fragments; records of pixels
 #define STORAGE_BINDING_SAMPLES 4    // see SampleColors.glsl
 #define STORAGE_BINDING_NEXT 5       // fragment storage: next sections; the pixels of a queue

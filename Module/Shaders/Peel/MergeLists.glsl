@@ -107,6 +107,19 @@ void leaveFarthest(float depth)
   leave(depth > -NO_DEPTH ? depth : NO_DEPTH);
 }
 
+void leaveBuckets(vec4 held)
+{
+  leaveNearest(held.x);
+  leaveNearest(held.z);
+#if PEEL_SIDES == 2
+  leaveFarthest(held.y);
+  leaveFarthest(held.w);
+#else
+  leaveNearest(held.y);
+  leaveNearest(held.w);
+#endif
+}
+
 float largest(vec2 numbers)
 {
   return max(numbers.x, numbers.y);
@@ -145,14 +158,8 @@ void main()
   mergeBack(second.x, fetchTarget(listed3, pixel));
   mergeBack(second.y, fetchTarget(listed4, pixel));
   mergeBack(second.z, fetchTarget(listed5, pixel));
-  leaveNearest(buckets.x);
-  leaveFarthest(buckets.y);
-  leaveNearest(buckets.z);
-  leaveFarthest(buckets.w);
-  leaveNearest(more.x);
-  leaveFarthest(more.y);
-  leaveNearest(more.z);
-  leaveFarthest(more.w);
+  leaveBuckets(buckets);
+  leaveBuckets(more);
   // What is in both lists is the first one's.
   vec3 depths = -farthest;
   next = mix(vec3(NO_DEPTH), depths, greaterThan(depths, vec3(nearest.z)));
@@ -161,14 +168,8 @@ void main()
   mergeFront(second.x, fetchTarget(listed3, pixel));
   mergeFront(second.y, fetchTarget(listed4, pixel));
   mergeFront(second.z, fetchTarget(listed5, pixel));
-  leaveNearest(buckets.x);
-  leaveNearest(buckets.y);
-  leaveNearest(buckets.z);
-  leaveNearest(buckets.w);
-  leaveNearest(more.x);
-  leaveNearest(more.y);
-  leaveNearest(more.z);
-  leaveNearest(more.w);
+  leaveBuckets(buckets);
+  leaveBuckets(more);
   fragOutput3 = vec4(next, peeled);
 #endif
   fragOutput0 = front;
