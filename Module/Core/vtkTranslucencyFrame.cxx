@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyFrame.h"
 
+#include "Common/Bindings.glsl"
 #include "vtkFragmentStorage.h"
 #include "vtkTranslucencyDrawings.h"
 #include "vtkTranslucencyFingerprint.h"

@@ -7,13 +7,13 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr vtkTypeInt64 WordBytes = sizeof(unsigned int);
-constexpr vtkTypeInt64 FrameBytes = WordBytes * STATISTICS_WORDS;
+constexpr vtkTypeInt64 StatisticsWordBytes = sizeof(unsigned int);
+constexpr vtkTypeInt64 FrameBytes = StatisticsWordBytes * STATISTICS_WORDS;
 
 vtkTypeInt64 BytesFor(const vtkTranslucencyTiles::Rectangle& tile)
 {
   using Statistics = vtkTranslucencyResolveStatistics;
-  return FrameBytes + WordBytes * Statistics::GetSquares(tile[2]) * Statistics::GetSquares(tile[3]);
+  return FrameBytes + StatisticsWordBytes * Statistics::GetSquares(tile[2]) * Statistics::GetSquares(tile[3]);
 }
 }
 
@@ -50,13 +50,14 @@ bool vtkTranslucencyResolveStatistics::Use(const Rectangle& viewport)
 //------------------------------------------------------------------------------
 void vtkTranslucencyResolveStatistics::BeginSum()
 {
-  this->Block.Clear(WordBytes * (STATISTICS_RESOLVES - STATISTICS_TILE), WordBytes * STATISTICS_TILE);
+  this->Block.Clear(
+    StatisticsWordBytes * (STATISTICS_RESOLVES - STATISTICS_TILE), StatisticsWordBytes * STATISTICS_TILE);
 }
 
 //------------------------------------------------------------------------------
 void vtkTranslucencyResolveStatistics::BeginTile(const Rectangle& tile)
 {
-  constexpr vtkTypeInt64 before = WordBytes * STATISTICS_RESOLVES;
+  constexpr vtkTypeInt64 before = StatisticsWordBytes * STATISTICS_RESOLVES;
   this->Block.Clear(BytesFor(tile) - before, before);
 }
 

@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkAutomaticTransparencyPass);
 
 namespace
 {
-constexpr double MiB = 1024.0 * 1024.0;
+constexpr double BytesPerMiB = 1024.0 * 1024.0;
 constexpr double Any = std::numeric_limits<double>::infinity();
 
 // A pass keeps a few words for each square of pixels besides, and blocks of uniforms.
@@ -304,14 +304,14 @@ void vtkAutomaticTransparencyPass::Choose(const vtkRenderState* state)
     this->Delegate = nullptr; // first, with all that it holds
     this->Delegate = this->NewDelegate(candidate.Name);
   }
-  const double budget = this->BudgetMebibytes * MiB;
+  const double budget = this->BudgetMebibytes * BytesPerMiB;
   const double limit =
     this->Chooser->GetBytes(chosen, view) <= budget ? budget - GetBytesOutsideLimit(candidate, view) : 0;
   for (const vtkTranslucencyOption& option : this->Delegate->GetOptions())
   {
     if (option.Keyword == "memory_limit")
     {
-      option.Set(std::max(0.0, limit) / MiB);
+      option.Set(std::max(0.0, limit) / BytesPerMiB);
     }
   }
 }

@@ -21,7 +21,7 @@ constexpr int PeelStage = 0;
 constexpr int TailStage = 1;
 
 // The buffers of both targets.
-constexpr int Bounds = 0;
+constexpr int BoundsTarget = 0;
 constexpr int Front = 1;
 constexpr int Back = 2;
 
@@ -82,7 +82,7 @@ bool vtkLayerPeeling::Render(
   }
   if (tail)
   {
-    inputs.push_back({ "tailOpacities", &this->Peeled, Bounds });
+    inputs.push_back({ "tailOpacities", &this->Peeled, BoundsTarget });
     inputs.push_back({ "tailColors", &this->Peeled, Front });
   }
   vtkTranslucencyFrame::Defines defines = this->GetMethod();
@@ -97,15 +97,15 @@ bool vtkLayerPeeling::Peel(vtkTranslucencyFrame& frame, const vtkPeelingSettings
   peel.Number = PeelStage;
   peel.Targets = &this->Peeled;
   peel.Blend = Blending::Over;
-  peel.Differing[Bounds] = { Blending::Maximum, NoBounds };
-  peel.Inputs = { { "peelBounds", &this->Merged, Bounds } };
+  peel.Differing[BoundsTarget] = { Blending::Maximum, NoBounds };
+  peel.Inputs = { { "peelBounds", &this->Merged, BoundsTarget } };
 
   vtkTranslucencyFrame::Stage merge;
   merge.Targets = &this->Merged;
   merge.Blend = Blending::Under;
   merge.Clear = { { 0, 0, 0, 1 } };
-  merge.Differing[Bounds] = { Blending::Minimum, AllWithin };
-  merge.Inputs = { { "nextBounds", &this->Peeled, Bounds }, { "frontLayer", &this->Peeled, Front } };
+  merge.Differing[BoundsTarget] = { Blending::Minimum, AllWithin };
+  merge.Inputs = { { "nextBounds", &this->Peeled, BoundsTarget }, { "frontLayer", &this->Peeled, Front } };
   if (this->Dual)
   {
     merge.Differing[Back] = { Blending::Over, {} };
@@ -149,8 +149,8 @@ bool vtkLayerPeeling::AddTail(vtkTranslucencyFrame& frame)
   sums.Targets = &this->Peeled;
   sums.Blend = Blending::AddAndAttenuate;
   sums.Clear = { { 0, 0, 0, 1 } };
-  sums.Differing[Bounds] = { Blending::Add, {} };
-  sums.Inputs = { { "peelBounds", &this->Merged, Bounds } };
+  sums.Differing[BoundsTarget] = { Blending::Add, {} };
+  sums.Inputs = { { "peelBounds", &this->Merged, BoundsTarget } };
   return frame.Draw(this->GetGathering(), sums);
 }
 

@@ -14,11 +14,11 @@ constexpr float NoDepth = 1e30f;
 constexpr int Outputs = 8;
 constexpr int Buckets = 2;
 constexpr int FirstLayer = Buckets;
-constexpr int TailStage = 1;
+constexpr int ListTailStage = 1;
 
 // The targets of a state.
-constexpr int Front = 0;
-constexpr int Back = 1;
+constexpr int FrontLayers = 0;
+constexpr int BackLayers = 1;
 constexpr int FirstList = 2;
 constexpr int SecondList = 3;
 constexpr int StateTargets = 4;
@@ -52,8 +52,8 @@ bool vtkListPeeling::Render(vtkTranslucencyFrame& frame, const vtkPeelingSetting
   {
     return false;
   }
-  std::vector<vtkTranslucencyFrame::Input> inputs{ { "frontLayers", &this->States[this->Current], Front },
-    { "backLayers", &this->States[this->Current], Back } };
+  std::vector<vtkTranslucencyFrame::Input> inputs{ { "frontLayers", &this->States[this->Current], FrontLayers },
+    { "backLayers", &this->States[this->Current], BackLayers } };
   if (tail)
   {
     inputs.push_back({ "tailOpacities", &this->Drawn, 0 });
@@ -69,7 +69,7 @@ bool vtkListPeeling::Peel(vtkTranslucencyFrame& frame, const vtkTranslucencyGath
   vtkTranslucencyFrame::Stage start;
   start.Targets = &this->States[this->Current];
   start.Clear = { { 0, 0, 0, 1 } };
-  start.Differing[Back] = { Blending::Replace, {} };
+  start.Differing[BackLayers] = { Blending::Replace, {} };
   start.Differing[FirstList] = { Blending::Replace, { { NoDepth, NoDepth, NoDepth, -NoDepth } } };
   const float last = gathering.Values.at("PEEL_SIDES") == "2" ? NoDepth : 0; // depth, or the number of layers
   start.Differing[SecondList] = { Blending::Replace, { { NoDepth, NoDepth, NoDepth, last } } };
@@ -93,8 +93,8 @@ bool vtkListPeeling::Peel(vtkTranslucencyFrame& frame, const vtkTranslucencyGath
     peel.Values["peelDrawing"] = drawing;
     peel.Inputs = this->GetLists();
     merge.Inputs = this->GetLists();
-    merge.Inputs.push_back({ "frontLayers", &this->States[this->Current], Front });
-    merge.Inputs.push_back({ "backLayers", &this->States[this->Current], Back });
+    merge.Inputs.push_back({ "frontLayers", &this->States[this->Current], FrontLayers });
+    merge.Inputs.push_back({ "backLayers", &this->States[this->Current], BackLayers });
     merge.Inputs.push_back({ "firstBuckets", &this->Drawn, 0 });
     merge.Inputs.push_back({ "secondBuckets", &this->Drawn, 1 });
     for (int layer = 0; layer < Outputs - Buckets; ++layer)
@@ -115,7 +115,7 @@ bool vtkListPeeling::Peel(vtkTranslucencyFrame& frame, const vtkTranslucencyGath
 bool vtkListPeeling::AddTail(vtkTranslucencyFrame& frame, const vtkTranslucencyGathering& gathering)
 {
   vtkTranslucencyFrame::Stage sums;
-  sums.Number = TailStage;
+  sums.Number = ListTailStage;
   sums.Targets = &this->Drawn;
   sums.Blend = Blending::AddAndAttenuate;
   sums.Clear = { { 0, 0, 0, 1 } };

@@ -16,8 +16,8 @@ vtkStandardNewMacro(vtkStochasticTransparencyPass);
 
 namespace
 {
-constexpr int LeastSamples = 4;
-constexpr int MostSamples = 64;
+constexpr int LeastDepthSamples = 4;
+constexpr int MostDepthSamples = 64;
 constexpr int MostSamplesOfRound = 32;
 constexpr int BufferSamples = 4;
 constexpr int MostFrames = 65536; // single precision has room for the sums of more
@@ -65,11 +65,11 @@ void vtkStochasticTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 void vtkStochasticTransparencyPass::SetDepthSamples(int samples)
 {
   const int step = samples > MostSamplesOfRound ? 2 * BufferSamples : BufferSamples;
-  if (samples < LeastSamples || samples > MostSamples || samples % step != 0)
+  if (samples < LeastDepthSamples || samples > MostDepthSamples || samples % step != 0)
   {
     vtkErrorMacro(<< "DepthSamples is " << samples << ", expected a multiple of " << BufferSamples << " in "
-                  << LeastSamples << " to " << MostSamplesOfRound << ", or of " << 2 * BufferSamples << " up to "
-                  << MostSamples);
+                  << LeastDepthSamples << " to " << MostSamplesOfRound << ", or of " << 2 * BufferSamples << " up to "
+                  << MostDepthSamples);
     return;
   }
   vtkTranslucencyOption::SetProperty(
@@ -100,7 +100,7 @@ void vtkStochasticTransparencyPass::SetAccumulate(int frames)
 std::vector<vtkTranslucencyOption> vtkStochasticTransparencyPass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
-  return { { "DepthSamples", "depth_samples", Kind::Integer, 8, LeastSamples, MostSamples, {},
+  return { { "DepthSamples", "depth_samples", Kind::Integer, 8, LeastDepthSamples, MostDepthSamples, {},
              "depth samples of a pixel, a multiple of 4, above 32 of 8: more mean less noise, and more time and memory",
              [this] { return this->GetDepthSamples(); },
              [this](double value) { this->SetDepthSamples(static_cast<int>(value)); } },

@@ -12,7 +12,7 @@ vtkStandardNewMacro(vtkWeightedTransparencyPass);
 
 namespace
 {
-const char* const Methods[] = { "WEIGHTED_SUM", "WEIGHTED_AVERAGE", "WEIGHTED_BLENDED" };
+const char* const WeightedMethods[] = { "WEIGHTED_SUM", "WEIGHTED_AVERAGE", "WEIGHTED_BLENDED" };
 const char* const Equations[] = { "7", "8", "9", "10" };
 constexpr double Farthest = 1e6;
 }
@@ -27,7 +27,7 @@ vtkWeightedTransparencyPass::~vtkWeightedTransparencyPass()
 void vtkWeightedTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << Methods[this->Method] << "\n";
+  os << indent << "Method: " << WeightedMethods[this->Method] << "\n";
   os << indent << "WeightFunction: equation " << Equations[this->WeightFunction] << "\n";
   os << indent << "DepthNear: " << this->DepthNear << "\n";
   os << indent << "DepthFar: " << this->DepthFar << "\n";
@@ -86,7 +86,7 @@ std::vector<vtkTranslucencyOption> vtkWeightedTransparencyPass::GetOptions()
 //------------------------------------------------------------------------------
 bool vtkWeightedTransparencyPass::RenderStages(vtkTranslucencyFrame& frame)
 {
-  const vtkTranslucencyFrame::Defines method{ { "WEIGHTED_METHOD", Methods[this->Method] } };
+  const vtkTranslucencyFrame::Defines method{ { "WEIGHTED_METHOD", WeightedMethods[this->Method] } };
   const bool colored = frame.GetChannels() == 3;
   std::vector<int> formats{ 4 };
   if (colored)

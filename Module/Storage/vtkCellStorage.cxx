@@ -17,7 +17,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr vtkTypeInt64 WordBytes = 4;
+constexpr vtkTypeInt64 CellWordBytes = 4;
 constexpr vtkTypeInt64 LayoutBytes = 16;
 
 vtkTypeInt64 Pixels(const vtkFragmentStorage::Rectangle& tile)
@@ -28,7 +28,7 @@ vtkTypeInt64 Pixels(const vtkFragmentStorage::Rectangle& tile)
 vtkTypeInt64 CounterBytes(const vtkFragmentStorage::Rectangle& tile)
 {
   const auto [across, down] = vtkCellRoom::GetCells(tile);
-  return across * down * static_cast<vtkTypeInt64>(CELL_WORDS * WordBytes);
+  return across * down * static_cast<vtkTypeInt64>(CELL_WORDS * CellWordBytes);
 }
 
 // Of a tile, beside the layouts: the counters, and their copy.
@@ -96,7 +96,7 @@ vtkCellStorage::Layout vtkCellStorage::GetNodes() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkCellStorage::GetLayoutBytes(const Layout& layout, const Rectangle& tile, vtkTypeInt64 units) const
 {
-  return WordBytes * (layout.PixelWords * Pixels(tile) + layout.UnitWords * units);
+  return CellWordBytes * (layout.PixelWords * Pixels(tile) + layout.UnitWords * units);
 }
 
 //------------------------------------------------------------------------------
@@ -116,12 +116,12 @@ vtkTypeInt64 vtkCellStorage::GetUnitsAllowed(
     }
     if (layout.UnitWords > 0)
     {
-      const double texels = static_cast<double>(layout.TexelWords * WordBytes * capabilities.MaximumTexels);
+      const double texels = static_cast<double>(layout.TexelWords * CellWordBytes * capabilities.MaximumTexels);
       const double most = texels > 0 ? std::min(block, texels) : block;
-      units = std::min(units, std::floor((most - ofPixels) / static_cast<double>(layout.UnitWords * WordBytes)));
+      units = std::min(units, std::floor((most - ofPixels) / static_cast<double>(layout.UnitWords * CellWordBytes)));
     }
     pixelBytes += ofPixels;
-    unitBytes += static_cast<double>(layout.UnitWords * WordBytes);
+    unitBytes += static_cast<double>(layout.UnitWords * CellWordBytes);
   }
   // A single pixel can't be cut: its fragments may pass the limit, but not what the driver can address.
   if (Pixels(tile) > 1)
@@ -225,7 +225,7 @@ vtkFragmentStorage::Outcome vtkCellStorage::Begin(
   {
     return Outcome::OutOfMemory;
   }
-  std::vector<unsigned int> cells(CounterBytes(tile) / WordBytes, 0);
+  std::vector<unsigned int> cells(CounterBytes(tile) / CellWordBytes, 0);
   vtkTypeInt64 first = 0;
   unsigned int* words = cells.data();
   for (vtkTypeInt64 range : this->Room->GetRanges())
@@ -335,7 +335,7 @@ void vtkCellStorage::CopyCells()
 //------------------------------------------------------------------------------
 std::vector<unsigned int> vtkCellStorage::ReadCells() const
 {
-  std::vector<unsigned int> cells(CounterBytes(this->Tile) / WordBytes);
+  std::vector<unsigned int> cells(CounterBytes(this->Tile) / CellWordBytes);
   this->CountersRead.Download(cells.data(), CounterBytes(this->Tile));
   return cells;
 }
@@ -521,7 +521,7 @@ vtkTypeInt64 vtkCellStorage::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkCellStorage::ClearTable()
 {
-  this->Buffers[STORAGE_BINDING_TABLE].Clear(Pixels(this->Tile) * WordBytes);
+  this->Buffers[STORAGE_BINDING_TABLE].Clear(Pixels(this->Tile) * CellWordBytes);
 }
 
 //------------------------------------------------------------------------------
