@@ -220,7 +220,7 @@ std::string vtkTranslucencyPass::GetOptionHelp(int index)
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyPass::GetMissing(vtkOpenGLRenderWindow* window)
 {
-  return this->FindMissing(this->GetCapabilities(window));
+  return window ? this->FindMissing(this->GetCapabilities(window)) : "a window";
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,11 @@ def run(command, folder, arguments, environment=None):
         [command, *arguments], cwd=folder, env=environment, capture_output=True, text=True, timeout=100)
 
 
+def changed(environment):
+    """The environment with these changes: None where there shall be no such variable."""
+    return {name: value for name, value in {**os.environ, **environment}.items() if value is not None}
+
+
 def files_in(folder):
     return {str(path.relative_to(folder)) for path in folder.rglob("*")}
 
@@ -21,7 +26,7 @@ def fails(arguments, expected, environment=None):
 
     def case(command, folder):
         before = files_in(folder)
-        result = run(command, folder, arguments, environment and {**os.environ, **environment})
+        result = run(command, folder, arguments, environment and changed(environment))
         assert result.returncode == 1, f"exit code {result.returncode}, stderr: {result.stderr}"
         lines = result.stderr.splitlines()
         assert len(lines) == 1, f"expected one line, got {result.stderr!r}"
@@ -29,6 +34,19 @@ def fails(arguments, expected, environment=None):
         assert re.search(expected, lines[0]), f"expected {expected!r} in {lines[0]!r}"
         assert result.stdout == "", f"stdout: {result.stdout}"
         assert files_in(folder) == before, f"left behind: {files_in(folder) - before}"
+
+    return case
+
+
+def fails_without_windows(arguments, expected, environment):
+    """The same where VTK finds neither EGL nor OSMesa, which it draws by without a display from release 9.4 on."""
+
+    def case(command, folder):
+        libraries = folder / "libraries"
+        libraries.mkdir()
+        for name in ("libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+            (libraries / name).touch()  # which is found first, and can't be loaded
+        fails(arguments, expected, {"LD_LIBRARY_PATH": str(libraries), "VTK_DEFAULT_OPENGL_WINDOW": None, **environment})(command, folder)
 
     return case
 

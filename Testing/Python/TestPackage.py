@@ -3,6 +3,8 @@
 import contextlib
 import hashlib
 import os
+import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -394,6 +396,34 @@ class TestBadInput(unittest.TestCase):
         window.Render()
         self.assertEqual(vtktranslucency.statistics(renderer)["fragments"], 0)
         vtktranslucency.disable(renderer)
+
+    def enable_elsewhere(self, **environment):
+        """What enable() raises in a process with this environment, which has to end well and says nothing else."""
+        code = (
+            "import vtktranslucency; from vtk_under_test import vtk; vtk.vtkObject.GlobalWarningDisplayOff()\n"
+            "window = vtk.vtkRenderWindow(); renderer = vtk.vtkRenderer(); window.AddRenderer(renderer)\n"
+            "try: vtktranslucency.enable(renderer)\n"
+            "except ValueError as error: print(error)")
+        changed = {name: value for name, value in {**os.environ, **environment}.items() if value is not None}
+        run = subprocess.run([sys.executable, "-c", code], cwd=pathlib.Path(__file__).parent, env=changed, capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        return run.stdout
+
+    def test_a_window_without_a_display(self):
+        """Up to VTK 9.3 its first frame would end the process; since, there is EGL and OSMesa, which are taken away here."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+                pathlib.Path(folder, name).touch()
+            said = self.enable_elsewhere(LD_LIBRARY_PATH=folder, DISPLAY=None, VTK_DEFAULT_OPENGL_WINDOW=None)
+        self.assertRegex(said, r"^VTK can't draw in the renderer's window: there is no X display \(DISPLAY is not set\), .*expected one")
+
+    def test_a_window_with_an_old_opengl(self):
+        said = self.enable_elsewhere(MESA_GL_VERSION_OVERRIDE="2.1")
+        self.assertRegex(said, "^VTK can't draw in the renderer's window: .* has no OpenGL 3.2, which VTK draws with: expected a driver")
+
+    def test_what_no_window_lacks(self):
+        self.assertEqual(vtktranslucency.vtkTranslucencyFactory.GetMissing("exact", None), "a window")
+        self.assertEqual(vtktranslucency.vtkTranslucencyDisplay.GetMissing(None), "the window is null, expected a vtkRenderWindow")
 
     def test_while_vtk_is_silent(self):
         vtk.vtkObject.GlobalWarningDisplayOff()

@@ -26,6 +26,7 @@ from ._vtk import vtkObject, vtkRenderer, vtkRenderPass  # first: it refuses a V
 from .vtkRenderingTranslucency import *  # noqa: F401, F403
 from .vtkRenderingTranslucency import (
     vtkAutomaticTransparencyPass,
+    vtkTranslucencyDisplay,
     vtkTranslucencyFactory,
     vtkTranslucencyPass,
     vtkTranslucencyStatistics,
@@ -58,6 +59,10 @@ def enable(renderer: Any, technique: str = "adaptive", **options: object) -> vtk
     """
     renderer = _find_renderer(renderer)
     technique_pass = _create(technique, options)
+    window = renderer.GetRenderWindow()
+    missing = vtkTranslucencyDisplay.GetMissing(window) if window else ""
+    if missing:
+        raise ValueError(f"VTK can't draw in the renderer's window: {missing}")
     with _errors_of(renderer) as messages:
         enabled = vtkTranslucencyFactory.Enable(renderer, technique_pass)
     if not enabled:

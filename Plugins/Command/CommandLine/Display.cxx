@@ -4,76 +4,74 @@
 
 #include "Basics/Failure.h"
 
-#include "vtkNew.h"
 #include "vtkRenderWindow.h"
+#include "vtkSmartPointer.h"
+#include "vtkTranslucencyDisplay.h"
 
-#include <chrono>
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include <X11/Xlib.h>
 #include <unistd.h>
 
 namespace
 {
-// Set in the process that xvfb-run starts, so that a display that fails there too does not start a third.
+// Set in the process that xvfb-run starts, so that a display that fails there too does not start a third: to what is
+// missing without.
 const char* const Mark = "TRANSLUCENCY_UNDER_XVFB";
 
-// The connection is kept: Xvfb starts afresh when its last client leaves, and refuses VTK's windows while it does so.
-// For the same reason one refusal means little where a display is named.
-bool DisplayOpens()
+// By which VTK is told, from 9.4 on, which window to make.
+const char* const Choice = "VTK_DEFAULT_OPENGL_WINDOW";
+
+// Without a choice VTK tries X, EGL and OSMesa, each time that it makes a window, and prints what it does not find. So
+// the first one is made in silence, and those that follow like it.
+vtkSmartPointer<vtkRenderWindow> ChooseWindow()
 {
-  const int attempts = std::getenv("DISPLAY") ? 10 : 1;
-  const auto pause = std::chrono::milliseconds(100);
-  for (int attempt = 0; attempt < attempts; ++attempt)
+  if (std::getenv(Choice))
   {
-    if (attempt > 0)
-    {
-      std::this_thread::sleep_for(pause);
-    }
-    if (XOpenDisplay(nullptr))
-    {
-      return true;
-    }
+    return vtkSmartPointer<vtkRenderWindow>::New();
   }
-  return false;
+  vtkObject::GlobalWarningDisplayOff();
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  vtkObject::GlobalWarningDisplayOn();
+  setenv(Choice, window->GetClassName(), 1);
+  return window;
 }
 
-std::string DisplayName()
+// Comes back only if there is no such program.
+void StartUnderXvfb(const std::string& missing, char** arguments)
 {
-  const char* name = std::getenv("DISPLAY");
-  return name ? "display '" + std::string(name) + "' can't be opened" : "there is no X display (DISPLAY is not set)";
+  setenv(Mark, missing.c_str(), 1);
+  unsetenv(Choice);
+  const std::string wrapper = "xvfb-run";
+  const std::string automatic = "-a"; // take a free display number
+  std::vector<char> self(4096, '\0');
+  if (readlink("/proc/self/exe", self.data(), self.size() - 1) <= 0)
+  {
+    return;
+  }
+  std::vector<char*> command{ const_cast<char*>(wrapper.c_str()), const_cast<char*>(automatic.c_str()), self.data() };
+  for (char** argument = arguments + 1; *argument; ++argument)
+  {
+    command.push_back(*argument);
+  }
+  command.push_back(nullptr);
+  execvp(command[0], command.data());
 }
 }
 
 //------------------------------------------------------------------------------
 void EnsureDisplay(char** arguments)
 {
-  vtkNew<vtkRenderWindow> window;
-  if (!window->IsA("vtkXOpenGLRenderWindow") || DisplayOpens())
+  const std::string missing = vtkTranslucencyDisplay::GetMissing(ChooseWindow());
+  if (missing.empty())
   {
     return;
   }
-  if (!std::getenv(Mark))
+  if (const char* without = std::getenv(Mark))
   {
-    setenv(Mark, "1", 1);
-    const std::string wrapper = "xvfb-run";
-    const std::string automatic = "-a"; // take a free display number
-    std::vector<char> self(4096, '\0');
-    if (readlink("/proc/self/exe", self.data(), self.size() - 1) > 0)
-    {
-      std::vector<char*> command{ const_cast<char*>(wrapper.c_str()), const_cast<char*>(automatic.c_str()),
-        self.data() };
-      for (char** argument = arguments + 1; *argument; ++argument)
-      {
-        command.push_back(*argument);
-      }
-      command.push_back(nullptr);
-      execvp(command[0], command.data()); // returns only if it failed
-    }
+    throw Failure(without);
   }
-  throw Failure(
-    DisplayName() + ", expected one, or the program xvfb-run (Debian: apt-get install xvfb xauth) to draw without");
+  StartUnderXvfb(missing, arguments);
+  throw Failure(missing);
 }

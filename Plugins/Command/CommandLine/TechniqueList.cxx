@@ -94,6 +94,7 @@ std::string ToJsonText(const std::vector<TechniqueInfo>& techniques, Stage& stag
 {
   OrderedJson json;
   json["driver"] = stage.GetDriver();
+  json["vtk"] = TRANSLUCENCY_VTK_VERSION;
   json["techniques"] = OrderedJson::array();
   for (const TechniqueInfo& technique : techniques)
   {
