@@ -15,18 +15,19 @@ BlocksMapper = getattr(vtk, "vtkCompositePolyDataMapper2", vtk.vtkCompositePolyD
 
 
 class Kind:
-    def __init__(self, build, what, share, share_of_samples, known, why):
+    def __init__(self, build, what, share, share_of_samples, known, why, may_fail):
         self.build = build
         self.what = what
         self.share = share  # of the pixels that have to be within 3/255 of the truth, one sample a pixel
         self.share_of_samples = share_of_samples  # the same with four samples: within 8/255
         self.known = known  # of the pixels of which the truth has to be known
         self.why = why  # what explains the rest, for the table
+        self.may_fail = may_fail  # in VTK itself, without this module: on some release it does, even of opaque props
 
 
-def kind(what, share=0.9998, share_of_samples=0.995, known=0.95, why=""):
+def kind(what, share=0.9998, share_of_samples=0.995, known=0.95, why="", may_fail=False):
     def register(build):
-        KINDS[build.__name__] = Kind(build, what, share, share_of_samples, known, why)
+        KINDS[build.__name__] = Kind(build, what, share, share_of_samples, known, why, may_fail)
         return build
 
     return register
@@ -923,7 +924,8 @@ def gaussian_blur(stage):
     chained(stage, lambda renderer: vtk.vtkGaussianBlurPass())
 
 
-@kind("SSAO (vtkSSAOPass) of the opaque props", share_of_samples=0.99, why="the pass draws opaque props into a framebuffer of its own, of one sample")
+@kind("SSAO (vtkSSAOPass) of the opaque props", share_of_samples=0.99, why="the pass draws opaque props into a framebuffer of its own, of one sample",
+      may_fail=True)
 def ssao(stage):
     stage.add(sphere())
 
@@ -939,7 +941,7 @@ def ssao(stage):
     stage.arrange = arrange
 
 
-@kind("gamma: frames in sRGB")
+@kind("gamma: frames in sRGB", may_fail=True)
 def srgb(stage):
     stage.add(sphere())
     stage.window.SetUseSRGBColorSpace(True)

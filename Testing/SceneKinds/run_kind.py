@@ -1,16 +1,21 @@
 """Draws one kind of scene by every technique and compares it with the truth: plain blending in thin slabs of depth (vtkDepthSlabsPass).
 
     run_kind.py KIND FOLDER          FOLDER/KIND.json tells the differences, and where they are too large the pictures lie beside it
+    run_kind.py --alone KIND         draws what is opaque in it by VTK alone; the exit code is 3 if that is not seen
     run_kind.py --table FOLDER FILE  FILE becomes the table of all kinds in FOLDER; fails if one is missing
     run_kind.py --check FOLDER FILE  fails if FILE, the table in the documentation, has not the rows that it should have
 
 Slabs are drawn with one sample a pixel. The truth with four is the mean of four such pictures, each with the camera moved
 so that one sample of each pixel lies where its centre was. Only edges are the same then: what is shaded once a pixel is shaded at
 another place, and points and lines are as wide as before. That is why the bound is wider.
+
+A kind that VTK itself may fail in is skipped where it does (exit code 77): with one sample or more, what is opaque is not seen, or the
+process ends.
 """
 
 import json
 import pathlib
+import subprocess
 import sys
 
 import numpy
@@ -28,6 +33,8 @@ SAMPLE_POSITIONS = {1: (CENTER,), 4: ((0.375, 0.125), (0.875, 0.375), (0.125, 0.
 COLUMNS = [(technique, samples) for technique in ("exact", "adaptive") for samples in (1, 4)]
 BOUND = {1: 3, 4: 8}  # of 255
 LEAST_SEEN = 0.02  # of the pixels have to change where translucent props are drawn
+SKIPPED = 77
+NOT_SEEN = 3
 
 
 def items(collection):
@@ -35,9 +42,9 @@ def items(collection):
 
 
 class Scene:
-    """A kind in a window, drawn by a technique, or if that is None in slabs."""
+    """A kind in a window, drawn by a technique, if that is None in slabs, or by VTK alone."""
 
-    def __init__(self, kind, technique, samples=1):
+    def __init__(self, kind, technique, samples=1, alone=False):
         self.window = vtk.vtkRenderWindow()
         self.window.OffScreenRenderingOn()
         self.window.SetMultiSamples(samples if samples > 1 else 0)
@@ -54,7 +61,10 @@ class Scene:
         self.passes = []
         self.renderers = items(self.window.GetRenderers())
         for renderer in self.renderers:
-            self.passes.append(vtktranslucency.enable(renderer, technique) if technique else draw_in_slabs(renderer, self.stage))
+            if alone:
+                renderer.SetPass(vtk.vtkRenderStepsPass())
+            else:
+                self.passes.append(vtktranslucency.enable(renderer, technique) if technique else draw_in_slabs(renderer, self.stage))
             self.stage.arrange(renderer, renderer.GetPass())
 
     def draw(self, sample_position=CENTER):
@@ -143,12 +153,34 @@ def write(image, file):
     writer.Write()
 
 
+def seen(scene, props, before):
+    """The share of the pixels in which these props are seen: hides them."""
+    return numpy.mean(distances(scene.draw_without(props), before) > BOUND[1])
+
+
+def draw_alone(kind):
+    """Whether what is opaque is seen, by VTK alone."""
+    for samples in BOUND:
+        scene = Scene(kind, None, samples, alone=True)
+        opaque = [prop for prop in items(scene.stage.renderer.GetViewProps()) if prop not in scene.stage.translucent]
+        if seen(scene, opaque, scene.draw_without(scene.stage.translucent)) < LEAST_SEEN:
+            return False
+    return True
+
+
 def run(name, folder):
     kind = KINDS[name]
+    if kind.may_fail:
+        alone = subprocess.run([sys.executable, "-B", __file__, "--alone", name], capture_output=True, text=True)
+        if alone.returncode == NOT_SEEN or alone.returncode < 0:  # by a signal
+            print(f"{name}: left out, for VTK {vtk.vtkVersion.GetVTKVersion()} does not draw what is opaque in it, either")
+            (folder / f"{name}.json").write_text(json.dumps({"kind": name, "results": None}) + "\n")
+            return SKIPPED
+        assert alone.returncode == 0, alone.stderr
     scene = Scene(kind, None)
     truths = {samples: Truth(scene, samples) for samples in BOUND}
-    seen = numpy.mean(distances(scene.draw_without(scene.stage.translucent), truths[1].picture) > BOUND[1])
-    assert seen >= LEAST_SEEN, f"{name}: translucent props change {seen:.2%} of the pixels, expected {LEAST_SEEN:.0%}"
+    share = seen(scene, scene.stage.translucent, truths[1].picture)
+    assert share >= LEAST_SEEN, f"{name}: translucent props change {share:.2%} of the pixels, expected {LEAST_SEEN:.0%}"
     row = {"kind": name, "results": {}}
     failures = []
     for technique, samples in COLUMNS:
@@ -164,7 +196,7 @@ def run(name, folder):
     (folder / f"{name}.json").write_text(json.dumps(row, indent=2) + "\n")
     for failure in failures:
         print(f"{name}: {failure}", file=sys.stderr)
-    return not failures
+    return 1 if failures else 0
 
 
 def cell(result):
@@ -178,7 +210,7 @@ def table(folder):
              "| --- |" + " --- |" * (len(COLUMNS) + 1)]
     for name, kind in KINDS.items():
         results = json.loads((folder / f"{name}.json").read_text())["results"]
-        cells = [cell(results[f"{technique} {samples}"]) for technique, samples in COLUMNS]
+        cells = [cell(results[f"{technique} {samples}"]) if results else "left out" for technique, samples in COLUMNS]
         lines.append(f"| {kind.what} | " + " | ".join(cells) + f" | {kind.why} |")
     return lines
 
@@ -212,9 +244,11 @@ if __name__ == "__main__":
         pathlib.Path(arguments[2]).write_text(HEAD + "\n" + "\n".join(table(pathlib.Path(arguments[1]))) + "\n")
     elif len(arguments) == 3 and arguments[0] == "--check":
         check(pathlib.Path(arguments[1]), arguments[2])
+    elif len(arguments) == 2 and arguments[0] == "--alone":
+        sys.exit(0 if draw_alone(KINDS[arguments[1]]) else NOT_SEEN)
     elif len(arguments) == 2 and arguments[0] in KINDS:
         folder = pathlib.Path(arguments[1])
         folder.mkdir(parents=True, exist_ok=True)
-        sys.exit(0 if run(arguments[0], folder) else 1)
+        sys.exit(run(arguments[0], folder))
     else:
         sys.exit(__doc__)
