@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @file
+ *
  * The namespace that VTK's own classes are in, if it was built with one: several VTKs can then be in one program.
  * VTK 9.1 has none.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyBlending
+ *
  * The blend functions of a stage, through VTK's cache of OpenGL's state, which knows one for all buffers: that of the
  * first one.
  */

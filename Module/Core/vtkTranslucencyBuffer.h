@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyBuffer
+ *
  * A buffer object of OpenGL for shaders to read and write. It belongs to the context in which it was allocated and must
  * be released while that context is current; vtkOpenGLBufferObject knows no storage and no uniform buffers.
  *

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @struct  vtkTranslucencyCapabilities
+ *
  * What the driver behind a render window can do, probed once for each window. Extensions are tested, not versions:
  * a driver that reports OpenGL 3.3 may still offer storage buffers, and one that reports 4.3 may have them switched
  * off. What a driver has its compiler may still refuse in shaders of VTK's version of GLSL: one is compiled for trial

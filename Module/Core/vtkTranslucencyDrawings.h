@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyDrawings
+ *
  * The drawings that a stage takes: one, on most drivers. The picture is the same.
  * - A driver of OpenGL before 4.0 may have one way of blending for all buffers. Where a stage has several, it is drawn
  *   once for each, to the buffers that are blended so, while the others are masked.

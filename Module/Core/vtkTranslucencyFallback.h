@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @file
+ *
  * What draws in the place of a technique that the driver can't run, or that has failed. Core does not know which
  * technique that is: vtkTranslucencyFactory.cxx says so.
  */

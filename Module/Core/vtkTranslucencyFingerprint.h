@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyFingerprint
+ *
  * What a picture is drawn from, as numbers: mostly the modification times of all objects that take part, which VTK
  * never gives twice, and whose addresses tell which they are. Two frames of equal numbers show the same. Brings the
  * pipelines up to date, as drawing would.

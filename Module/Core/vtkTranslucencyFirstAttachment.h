@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyFirstAttachment
+ *
  * While this object lives, what is drawn goes to the first colour attachment of the framebuffer that is bound, whatever
  * passes around have made of it.
  *

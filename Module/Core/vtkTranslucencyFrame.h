@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyFrame
+ *
  * One frame of a technique: what vtkTranslucencyPass::RenderStages is written in.
  *
  * The viewport is drawn as one tile, or as several where fragment storage would pass its limit. The pass's stages run

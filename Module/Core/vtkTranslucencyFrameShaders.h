@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyFrameShaders
+ *
  * The shaders of one frame: the text that goes into those of mappers, and the programs that run over the screen. All
  * are put together from the same defines, which follow from what the frame draws and where it keeps it.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyGLState
+ *
  * OpenGL's state as it was when this object was made comes back when it goes, whichever way the scope is left.
  *
  * What vtkOpenGLState caches is saved and restored through it, so that the cache stays true; the rest (shader program,

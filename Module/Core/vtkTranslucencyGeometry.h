@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyGeometry
+ *
  * Draws the translucent props of a frame with the technique's text in their shaders: those that it reaches together,
  * the others one by one behind them, each layer by layer (vtkTranslucencyLayers).
  */

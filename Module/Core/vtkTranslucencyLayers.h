@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyLayers
+ *
  * Fragments of what is drawn by shaders that can't be changed: one of each pixel and sample at a time, in the order of
  * drawing.
  *

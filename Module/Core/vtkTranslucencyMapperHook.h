@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyMapperHook
+ *
  * The mappers' side of a technique: what stands for its pass in the shaders of the props, with all that VTK's hooks
  * need when they are called.
  *

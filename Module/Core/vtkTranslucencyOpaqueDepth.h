@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyOpaqueDepth
+ *
  * A copy of the depth buffer with the opaque geometry, for shaders that give their fragments a depth of their own: the
  * depth test comes too late for what they store. Made once a frame, when the first shader asks for it.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @struct  vtkTranslucencyOption
+ *
  * One option of a technique, declared once: the VTK property, the Python keyword, the command's flag and the
  * documentation all follow from the declaration (see vtkTranslucencyPass::GetOptions).
  */

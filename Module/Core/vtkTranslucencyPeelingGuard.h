@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyPeelingGuard
+ *
  * Lets VTK's depth peeling passes end, whatever they draw.
  *
  * They peel until an occlusion query counts no fragments. A prop that their text does not reach

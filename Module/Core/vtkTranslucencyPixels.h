@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyPixels
+ *
  * A record of bounded size for each pixel, or for each sample of it, that a technique's shaders change fragment by
  * fragment.
  *

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyPrograms
+ *
  * The programs of a pass that are none of a mapper's, kept from frame to frame, and drawing with them: vertices that no
  * buffer holds.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyPropBounds
+ *
  * The bounds of props in each frame. A mapper brings its pipeline up to date whenever it is asked for them, some
  * microseconds for each prop, so those of an actor are kept while neither it, nor its mapper, nor the mapper's data is
  * another than before. All others are asked anew: props without a mapper, and mappers with more than one input or with

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @file
+ *
  * Occlusion queries.
  */
 #ifndef vtkTranslucencyQuery_h

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyRecords
+ *
  * Where a frame's records of pixels lie: in buffers, or in colours that fragments fetch (vtkTranslucencyPixels).
  */
 #ifndef vtkTranslucencyRecords_h

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyResolveStatistics
+ *
  * What shaders count on the GPU and leave to later ones (Shaders/Common/Statistics.glsl): a few words of the whole
  * frame and of the tile, and one for each square of pixels of the tile.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyResolver
+ *
  * Runs resolve shaders over squares of pixels of the current tile, which see the whole pixel or one sample of it
  * (Shaders/Common/Resolve.glsl).
  *

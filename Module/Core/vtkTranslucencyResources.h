@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @struct  vtkTranslucencyResources
+ *
  * What a vtkTranslucencyPass keeps from frame to frame: its frames draw with it.
  */
 #ifndef vtkTranslucencyResources_h

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencySamplers
+ *
  * The state of samplers, which a software rasterizer compiles fragment shaders for.
  *
  * llvmpipe compiles a fragment shader anew for each state of its samplers, also of those that are texel buffers. These

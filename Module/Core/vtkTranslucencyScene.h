@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyScene
+ *
  * What a technique asks of the translucent props that a frame draws: those that say so, and those that were seen to
  * draw what is translucent (vtkTranslucencyUnreached).
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyScopedTargets
+ *
  * Makes a stage's targets what is drawn to, and clears them. When it goes, the framebuffer that was bound before is
  * again.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyScopedTextures
+ *
  * Binds what a shader reads to texture units of its own. When it goes, what was bound there comes back.
  */
 #ifndef vtkTranslucencyScopedTextures_h

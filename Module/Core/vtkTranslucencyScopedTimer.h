@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyScopedTimer
+ *
  * Adds the time of its scope to a sum, if asked to. Waits for the GPU at both ends: timer queries are not kept in order
  * with the drawing by every driver.
  */

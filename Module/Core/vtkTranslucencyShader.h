@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyShader
+ *
  * Puts shader text together from the .glsl files of Module/Shaders, which the library carries inside.
  *
  * `#include "Folder/File.glsl"` takes in a file of the table; files guard themselves against a second time, as C++
@@ -39,11 +41,11 @@ public:
   bool Assemble(
     const std::string& file, const Defines& required, const Defines& offered = {}, const Selection& selection = {});
 
-  /// The text, to stand behind #version and #extension lines.
+  /// The text, to stand behind \#version and \#extension lines.
   const std::string& GetText() const { return this->Text; }
   const std::string& GetError() const { return this->Error; }
 
-  /// The extensions that shaders of this module may use, as #extension lines for those that the compiler knows.
+  /// The extensions that shaders of this module may use, as \#extension lines for those that the compiler knows.
   static const char* GetExtensions();
 
   /// Compiles the text, with main behind it; false, with messages that name file and line in GetError(), if that fails.

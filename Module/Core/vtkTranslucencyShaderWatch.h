@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyShaderWatch
+ *
  * A window's shader cache that tells which programs are made ready, before anything is drawn by them.
  *
  * A render pass reaches the shaders of a prop by the prop's property keys. Many props draw by actors of their own and

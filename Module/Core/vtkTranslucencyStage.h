@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @file
+ *
  * One drawing of a technique, as it asks vtkTranslucencyFrame for it: what it puts into the shaders, what it draws to
  * and how that is blended.
  */

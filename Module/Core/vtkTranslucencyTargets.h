@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyTargets
+ *
  * Floating-point colour buffers that a technique draws into with blending, and reads in a later stage; or integer ones,
  * of which fragments fetch what earlier ones have drawn (Shaders/Common/PixelTargets.glsl).
  *

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyTiles
+ *
  * The parts in which a viewport is drawn where all of it at once would take too much memory. Knows no OpenGL.
  *
  * A frame begins with the tiles that the frame before has ended with, as long as the viewport stays the same: what had

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyTransmission
+ *
  * Transmission colours as props have them (vtkTranslucencyPass::TRANSMISSION_COLOR), and the props that let light
  * through without one: what VTK draws by adding it to the picture is as if its colour were white. Each pass has one,
  * which chooses what its technique draws of them.

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyUnreached
+ *
  * The props whose shaders a pass's text does not reach.
  *
  * There are two kinds: props that draw by actors of their own and don't hand their property keys on to them, and props

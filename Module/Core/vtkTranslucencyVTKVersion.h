@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @file
+ *
  * The one file that knows how VTK's releases differ: everything else is written for 9.1 and later alike.
  */
 #ifndef vtkTranslucencyVTKVersion_h

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTranslucencyVolumes
+ *
  * Volumes among translucent surfaces: on their way through the lists, rays are cast from fragment to fragment, and what
  * a segment of the ray gathers becomes a fragment of the list, between the two that bound it. Techniques resolve it
  * like any other.

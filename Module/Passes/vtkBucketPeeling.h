@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkBucketPeeling
+ *
  * Peels up to 32 layers of a pixel in a drawing of the geometry: BucketSort of vtkDepthPeelPass, which tells how.
  */
 #ifndef vtkBucketPeeling_h

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkLayerPeeling
+ *
  * Peels a layer of each pixel in a drawing of the geometry, or the nearest and the farthest one: FrontToBack and Dual
  * of vtkDepthPeelPass, which tells how.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkListPeeling
+ *
  * Peels up to six layers of a pixel in a drawing of the geometry, into targets: BucketSort of vtkDepthPeelPass where
  * the driver has no storage buffers. vtkDepthPeelPass tells how.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @struct  vtkPeelingSettings
+ *
  * What the algorithms of vtkDepthPeelPass have in common.
  */
 #ifndef vtkPeelingSettings_h

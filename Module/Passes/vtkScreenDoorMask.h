@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkScreenDoorMask
+ *
  * Masks of thresholds for vtkScreenDoorPass: squares of cells, repeated over the window, which are filled in the order
  * of their ranks as opacity grows. A mask of n cells holds each rank from 0 to n - 1 once, row by row.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkSortedActors
+ *
  * Stand-ins for actors, with the polygons of their data sorted along the view. The actors, their mappers and their data
  * are left as they are, and so keep their shaders and buffers; what is sorted is kept until the view's direction, the
  * data or the transformation changes.

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkTechniqueChooser
+ *
  * Which of several techniques draws the next frame, by budgets and by what the last frames cost. Knows neither OpenGL
  * nor the techniques: it is given their costs in closed form, and measured ones after each frame.
  *

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkCellRoom
+ *
  * How many units of room each cell of a tile gets, before it is drawn. Knows no OpenGL.
  *
  * - A tile that was never drawn: two fragments per pixel for each box of a prop, the front and the back of a closed

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkFragmentCounter
+ *
  * Counts the fragments of cells where the driver keeps the order of drawing. Shaders count only the units that are
  * taken there, which costs less than an atomic operation a fragment: a fragment lies wherever a unit is not free.
  */

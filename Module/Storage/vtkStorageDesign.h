@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkStorageDesign
+ *
  * The designs of fragment storage that the study (Module/Study) knows closed forms of, and what shaders of storages
  * count where they are asked to.
  */

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkStorageTable
+ *
  * The storages that there are: the choices of the option storage, and what the tests of all storages find.
  */
 #ifndef vtkStorageTable_h

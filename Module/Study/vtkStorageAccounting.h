@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkStorageAccounting
+ *
  * What designs of fragment storage take for a frame, in bytes and in accesses to memory, in closed form, from nothing
  * but how many pixels hold how many fragments: the evaluation of the T-buffer's paper ("T-buffer", section 4: Table 2
  * and the sums behind it), for hardware that keeps fragments as tightly as its fields allow.

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @class   vtkStorageSimulator
+ *
  * A behavioural simulator of the designs of vtkStorageAccounting ("T-buffer", section 4): it takes a frame's fragments
  * in the order of their arrival, stores each in the design's own tables, sections, nodes or FIFO, reads all of them
  * back, and counts bytes when they are given out and accesses when they happen. It uses no closed form:

@@ -4,6 +4,7 @@
 - A file includes headers of its own room and of those below it only.
 - No file of the module is longer than 600 lines.
 - No class is another one's friend.
+- A header begins with what it is for: without @class, @struct or @file the reference would leave that out.
 """
 import pathlib
 import re
@@ -37,12 +38,20 @@ def find_long(module):
                 yield f"{file} has {lines} lines, expected at most {MOST_LINES}"
 
 
+def find_unnamed(folder):
+    for file in sorted(folder.rglob("*.h")):
+        text = file.read_text()
+        if not re.search(rf"^/\*\*\n \* @(file|(class|struct) +{file.stem})$", text, re.MULTILINE):
+            yield f"{file} begins with no comment of @class {file.stem}, @struct {file.stem} or @file"
+
+
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     source = pathlib.Path(sys.argv[1])
     faults = [fault for folder, rooms in ROOMS.items() for fault in find_misplaced(source / folder, rooms)]
     faults += find_long(source / "Module")
+    faults += [fault for folder in ("Module", "Plugins/ParaView") for fault in find_unnamed(source / folder)]
     for fault in faults:
         print(fault, file=sys.stderr)
     sys.exit(1 if faults else 0)

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
+ * @file
+ *
  * What the plugin does for views where they are made, in the process that has the user interface. After each still
  * frame the properties that tell what it took are read anew, so that panels and scripts have them.
  *
