@@ -22,7 +22,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from ._vtk import vtkObject, vtkRenderer, vtkRenderPass  # first: it refuses a VTK that the next line can't be loaded beside
+from ._vtk import RELEASE, vtkObject, vtkRenderer, vtkRenderPass  # first: it refuses a VTK that the next line can't be loaded beside
 from .vtkRenderingTranslucency import *  # noqa: F401, F403
 from .vtkRenderingTranslucency import (
     vtkAutomaticTransparencyPass,
@@ -31,6 +31,8 @@ from .vtkRenderingTranslucency import (
     vtkTranslucencyPass,
     vtkTranslucencyStatistics,
 )
+
+__version__ = RELEASE
 
 
 def enable(renderer: Any, technique: str = "adaptive", **options: object) -> vtkRenderPass:

@@ -3,6 +3,8 @@
 #include "Arguments.h"
 
 #include "Basics/Failure.h"
+#include "Completion.h"
+#include "Manual.h"
 #include "Scenes/BuiltInScenes.h"
 #include "Study/Trace.h"
 #include "Techniques/Picture.h"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <regex>
@@ -38,6 +41,7 @@ struct Written
   double Azimuth = 0;
   double Elevation = 0;
   double Zoom = 1;
+  ValuesOfOptions Values; // for completion
 };
 
 // CLI11's own Range lets "nan" through.
@@ -69,14 +73,43 @@ std::array<int, 2> ToSize(const std::string& text)
   return { { std::stoi(text.substr(0, cross)), std::stoi(text.substr(cross + 1)) } };
 }
 
+// What takes one of a few words.
+CLI::Option* AddChoice(CLI::App* command, const std::string& name, std::string& value, const std::string& help,
+  const std::vector<std::string>& words, Written& written)
+{
+  CLI::Option* option = command->add_option(name, value, help)->check(CLI::IsMember(words));
+  written.Values[option] = { words };
+  return option;
+}
+
+CLI::Option* AddOutput(CLI::App* command, const std::string& help, Written& written, Arguments& arguments)
+{
+  CLI::Option* option = command->add_option("-o,--output", arguments.Output, help);
+  written.Values[option] = { {}, true };
+  return option;
+}
+
+std::vector<std::string> TechniqueNames()
+{
+  std::vector<std::string> names;
+  for (const TechniqueInfo& technique : ListTechniques())
+  {
+    names.push_back(technique.Name);
+  }
+  return names;
+}
+
 const std::string Look = "Look of the INPUTs";
 const std::string Looking = "View";
 
 void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, const std::string& alone = "")
 {
-  command->add_option("INPUT", written.Sources,
-    alone + "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)");
-  command->add_option("--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds");
+  written.Values[command->add_option("INPUT", written.Sources,
+    alone + "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)")] = {
+    { "scene:spheres", "scene:rectangles" }, true
+  };
+  written.Values[command->add_option(
+    "--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds")] = { {}, true };
   command->add_option("--title", written.Title, "what reports call the scene");
 
   command->add_option("--color", written.Color, "colour of all: #rrggbb or a name")->group(Look);
@@ -89,10 +122,9 @@ void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, 
       "red filter, black "
       "(the default) none")
     ->group(Look);
-  command
-    ->add_option("--volume", written.Volume,
-      "what volumes are: labels (one surface for each integer value), isosurfaces, or automatic")
-    ->check(CLI::IsMember({ "automatic", "labels", "isosurfaces" }))
+  AddChoice(command, "--volume", written.Volume,
+    "what volumes are: labels (one surface for each integer value), isosurfaces, or automatic",
+    { "automatic", "labels", "isosurfaces" }, written)
     ->group(Look);
   command->add_option("--isovalues", written.Isovalues, "values of the isosurfaces: A,B,...")
     ->delimiter(',')
@@ -131,12 +163,13 @@ void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, 
 }
 
 // A flag for each option of each technique.
-void AddTechniqueOptions(CLI::App* command, Arguments& arguments)
+void AddTechniqueOptions(CLI::App* command, Written& written, Arguments& arguments)
 {
   struct Flag
   {
     std::string Techniques;
     vtkTranslucencyOption Option;
+    std::vector<std::string> Choices; // of all these techniques
   };
   std::vector<Flag> flags;
   for (const TechniqueInfo& technique : ListTechniques())
@@ -147,34 +180,38 @@ void AddTechniqueOptions(CLI::App* command, Arguments& arguments)
         flags.begin(), flags.end(), [&option](const Flag& flag) { return flag.Option.Keyword == option.Keyword; });
       if (known == flags.end())
       {
-        flags.push_back({ technique.Name, option });
+        flags.push_back({ technique.Name, option, option.Choices });
       }
       else
       {
         known->Techniques += ", " + technique.Name;
+        std::copy_if(option.Choices.begin(), option.Choices.end(), std::back_inserter(known->Choices),
+          [&known](const std::string& choice)
+          { return std::find(known->Choices.begin(), known->Choices.end(), choice) == known->Choices.end(); });
       }
     }
   }
   for (const Flag& flag : flags)
   {
     const std::string keyword = flag.Option.Keyword;
-    command
-      ->add_option_function<std::string>(
-        FlagOf(flag.Option), [&arguments, keyword](const std::string& value) { arguments.Settings[keyword] = value; },
-        flag.Option.Help + " [" + flag.Techniques + "]")
-      ->type_name(flag.Option.Range())
+    CLI::Option* option = command->add_option_function<std::string>(
+      FlagOf(flag.Option), [&arguments, keyword](const std::string& value) { arguments.Settings[keyword] = value; },
+      flag.Option.Help + " [" + flag.Techniques + "]");
+    option->type_name(flag.Option.Range())
       ->default_str(flag.Option.Format(flag.Option.Default))
       ->group("Options of techniques");
+    written.Values[option] = { flag.Choices };
   }
 }
 
-void AddTechnique(CLI::App* command, Arguments& arguments)
+void AddTechnique(CLI::App* command, Written& written, Arguments& arguments)
 {
-  command->add_option("-t,--technique", arguments.Techniques, "a name from 'translucency list'")
-    ->expected(1)
+  CLI::Option* option = command->add_option("-t,--technique", arguments.Techniques, "a name from 'translucency list'");
+  option->expected(1)
     ->allow_extra_args(false) // else it would take a -- that stands behind it
     ->default_str("adaptive");
-  AddTechniqueOptions(command, arguments);
+  written.Values[option] = { TechniqueNames() };
+  AddTechniqueOptions(command, written, arguments);
 }
 
 void AddFrameOptions(CLI::App* command, BenchmarkSettings& frames)
@@ -187,13 +224,12 @@ void AddFrameOptions(CLI::App* command, BenchmarkSettings& frames)
     ->capture_default_str();
 }
 
-CLI::Option* AddTechniques(CLI::App* command, Arguments& arguments)
+void AddTechniques(CLI::App* command, Written& written, Arguments& arguments)
 {
-  return command
-    ->add_option("--techniques", arguments.Techniques,
-      "names, with options after colons: adaptive,adaptive:nodes=8:removal=mixed; all techniques "
-      "by default")
-    ->delimiter(',');
+  CLI::Option* option = command->add_option("--techniques", arguments.Techniques,
+    "names, with options after colons: adaptive,adaptive:nodes=8:removal=mixed; all techniques by default");
+  option->delimiter(',');
+  written.Values[option] = { TechniqueNames() };
 }
 
 void AddStorage(CLI::App& app, Written& written, Arguments& arguments)
@@ -216,8 +252,7 @@ void AddStorage(CLI::App& app, Written& written, Arguments& arguments)
     ->capture_default_str();
   add("--depth-bits", settings.Bits.Depth, 64, "bits of a depth")->capture_default_str();
   add("--color-bits", settings.Bits.Color, 64, "bits of a colour with its opacity")->capture_default_str();
-  storage->add_option(
-    "-o,--output", arguments.Output, "a folder for table.txt, storage.json, bytes.png and accesses.png");
+  AddOutput(storage, "a folder for table.txt, storage.json, bytes.png and accesses.png", written, arguments);
   storage->footer(
     "Four designs are compared: a linked list a pixel; the T-buffer, lists of sections; the R-buffer, a FIFO that is "
     "read pass by pass; the M-buffer, a\n"
@@ -241,8 +276,8 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 
   auto* render = app.add_subcommand("render", "draw a picture by one technique");
   AddSceneOptions(render, written, arguments);
-  AddTechnique(render, arguments);
-  render->add_option("-o,--output", arguments.Output, "the picture: " + PictureSuffixes())->required();
+  AddTechnique(render, written, arguments);
+  AddOutput(render, "the picture: " + PictureSuffixes(), written, arguments)->required();
   render->footer("Examples:\n"
                  "  translucency render frogtissue.mhd -o frog.png\n"
                  "  translucency render skin.stl bones.stl --opacity 0.3 --technique exact -o body.png\n"
@@ -252,12 +287,11 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
   auto* compare =
     app.add_subcommand("compare", "draw by several techniques; pictures, differences and costs in a page");
   AddSceneOptions(compare, written, arguments);
-  AddTechniques(compare, arguments);
-  compare->add_option("--reference", arguments.Reference, "the technique that is right")->capture_default_str();
+  AddTechniques(compare, written, arguments);
+  written.Values[compare->add_option("--reference", arguments.Reference, "the technique that is right")
+                   ->capture_default_str()] = { TechniqueNames() };
   AddFrameOptions(compare, arguments.Frames);
-  compare
-    ->add_option(
-      "-o,--output", arguments.Output, "a folder for index.html, comparison.json, table.txt and the pictures")
+  AddOutput(compare, "a folder for index.html, comparison.json, table.txt and the pictures", written, arguments)
     ->required();
   compare->footer("blend is always drawn too: what the others cost is told as a multiple of it.\n"
                   "Example:\n"
@@ -266,7 +300,7 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 
   auto* bench = app.add_subcommand("bench", "time techniques in turn, in one process");
   AddSceneOptions(bench, written, arguments);
-  AddTechniques(bench, arguments);
+  AddTechniques(bench, written, arguments);
   AddFrameOptions(bench, arguments.Frames);
   bench
     ->add_option("--orbit", arguments.Frames.Orbit,
@@ -274,7 +308,7 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
       "met")
     ->check(NumberIn(-Infinity, Infinity, "degrees"))
     ->capture_default_str();
-  bench->add_option("-o,--output", arguments.Output, "a JSON file");
+  AddOutput(bench, "a JSON file", written, arguments);
   bench->footer("Built-in scenes:\n" + BuiltInSceneHelp() +
     "Example:\n"
     "  translucency bench scene:rectangles:count=1200 --techniques exact,adaptive --frames 50 -o "
@@ -282,9 +316,11 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 
   auto* run = app.add_subcommand(
     "run", "run a program that uses VTK: where it asks for depth peeling, it gets another technique");
-  AddTechnique(run, arguments);
+  AddTechnique(run, written, arguments);
   run->add_flag("--always", arguments.Always, "whether or not it asks for depth peeling");
-  run->add_option("PROGRAM", arguments.Program, "the program and its arguments, behind --")->required()->expected(-1);
+  CLI::Option* program = run->add_option("PROGRAM", arguments.Program, "the program and its arguments, behind --");
+  program->required()->expected(-1);
+  written.Values[program] = { { "--" } };
   run->footer(
     "Depth peeling is asked for by vtkRenderer::UseDepthPeelingOn, or by making a vtkDualDepthPeelingPass or a\n"
     "vtkDepthPeelingPass. With --always the technique draws what is translucent in every renderer, and in every pass\n"
@@ -303,8 +339,7 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
 
   auto* trace = app.add_subcommand("trace", "write the translucent fragments of a scene, one by one");
   AddSceneOptions(trace, written, arguments);
-  trace->add_option("-o,--output", arguments.Output, "the trace: .csv (text) or .trace (24 bytes a fragment)")
-    ->required();
+  AddOutput(trace, "the trace: .csv (text) or .trace (24 bytes a fragment)", written, arguments)->required();
   trace->footer("A .csv begins with the lines '# size WIDTHxHEIGHT' and 'frame,x,y,z,r,g,b,a': a line a fragment; x "
                 "and y are pixels from the lower\n"
                 "left corner, z is the window depth, 0 to 1. Fragments come pixel by pixel, those of a pixel in the "
@@ -315,9 +350,27 @@ void DeclareCommands(CLI::App& app, Written& written, Arguments& arguments)
                 "  translucency trace skin.stl bones.stl --opacity 0.3 -o body.trace");
 
   auto* schema = app.add_subcommand("schema", "print the JSON schema of scene files, or of histograms");
-  schema->add_option("KIND", arguments.Schema, "scene, or histogram: what 'translucency storage' reads")
-    ->check(CLI::IsMember({ "scene", "histogram" }))
+  AddChoice(schema, "KIND", arguments.Schema, "scene, or histogram: what 'translucency storage' reads",
+    { "scene", "histogram" }, written)
     ->capture_default_str();
+}
+
+// For the build, and for packagers; --help does not list them.
+void DeclareDescriptions(CLI::App& app, const Written& written)
+{
+  const auto add = [&app](const std::string& name, const std::string& help, const std::function<std::string()>& text)
+  {
+    app.add_subcommand(name, help)
+      ->group("")
+      ->callback(
+        [text]
+        {
+          std::cout << text();
+          throw CLI::Success();
+        });
+  };
+  add("manual", "print the manual page", [&app] { return ManualText(app); });
+  add("completion", "print a script for completion in bash", [&] { return CompletionText(app, written.Values); });
 }
 
 Input ToInput(const std::string& source, const Written& written)
@@ -435,12 +488,13 @@ std::optional<Arguments> ParseArguments(int argc, char** argv)
              "  translucency run -- PROGRAM              a program of yours, by another technique\n"
              "'translucency COMMAND --help' says more of each command.");
   DeclareCommands(app, written, arguments);
+  DeclareDescriptions(app, written);
   try
   {
     app.parse(argc, argv);
     PutTogether(*app.get_subcommands().front(), written, arguments);
   }
-  catch (const CLI::Success& answer) // --help, --version
+  catch (const CLI::Success& answer) // --help, --version, manual, completion
   {
     app.exit(answer);
     return {};

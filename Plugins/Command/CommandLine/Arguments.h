@@ -65,7 +65,8 @@ struct Arguments
   bool NeedsDisplay = true;
 };
 
-/// Reads the command line. Empty after --help and --version, which have then been answered; throws Failure.
+/// Reads the command line. Empty after --help, --version, manual and completion, which have then been answered; throws
+/// Failure.
 std::optional<Arguments> ParseArguments(int argc, char** argv);
 
 #endif
