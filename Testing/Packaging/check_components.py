@@ -21,9 +21,9 @@ FILES = {
         r"share/licenses/vtkTranslucency/LICENSE",
     ],
     "development": [
-        r"include/vtkTranslucency/vtkTranslucencyFactory\.h",
         r"include/vtkTranslucency/vtkRenderingTranslucencyModule\.h",
-        r"include/vtkTranslucency/vtk\w+\.h",
+        r"include/vtkTranslucency/Passes/vtkTranslucencyFactory\.h",
+        r"include/vtkTranslucency/(Core|Passes|Storage|Study)/vtk\w+\.h",
         LIBRARY + r"/libvtkRenderingTranslucency\.so",
         LIBRARY + r"/cmake/vtkTranslucency/vtkTranslucency(Config|ConfigVersion|-targets|-targets-\w+|-vtk-module-properties)\.cmake",
         LIBRARY + r"/vtk/hierarchy/vtkTranslucency/vtkRenderingTranslucency-hierarchy\.txt",
