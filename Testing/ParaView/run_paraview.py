@@ -47,8 +47,9 @@ class Programs:
         program = ("mpiexec", "--oversubscribe", "-n", str(number), "pvbatch", *options)
         return self.run(case, program=program if number > 1 else ("pvbatch", *options), **arguments)
 
-    def run_with_server(self, case, plugin, says=()):
-        with subprocess.Popen([str(self.programs / "pvserver"), "--server-port=0"], env=self.environment, text=True,
+    def run_with_server(self, case, plugin, says=(), ranks=1):
+        mpi = ["mpiexec", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
+        with subprocess.Popen([*mpi, str(self.programs / "pvserver"), "--server-port=0"], env=self.environment, text=True,
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as server:
             try:
                 for line in server.stdout:
@@ -59,7 +60,7 @@ class Programs:
                     raise Failure("pvserver did not say where it listens")
                 return self.run(case, plugin=plugin, url=[f"localhost:{found[1]}"], says=says)
             finally:
-                server.kill()
+                server.terminate()  # mpiexec ends its ranks then
 
     def find(self, program):
         return [str(self.programs / word) if word in ("pvpython", "pvbatch") else word for word in program]
@@ -145,6 +146,7 @@ def run_states(programs):
 def run_server(programs):
     programs.run("stock", plugin="none")
     programs.run_with_server("remote_both", f"both={programs.plugin}")
+    programs.run_with_server("remote_ranks", f"both={programs.plugin}", ranks=2)
     programs.run_with_server("remote_client_only", programs.plugin, says=["plugin Translucency.*its server has not loaded: load it there"])
     programs.run_with_server("remote_server_only", f"server={programs.plugin}", says=["Failed to instantiate vtkSITranslucency"])
 

@@ -83,7 +83,6 @@ void vtkPVSamplesPass::Render(const vtkRenderState* state)
   const vtkOpenGLState::ScopedglEnableDisable scissor(gl, GL_SCISSOR_TEST);
   const vtkOpenGLState::ScopedglEnableDisable multisample(gl, GL_MULTISAMPLE);
   const bool scissored = gl->GetEnumState(GL_SCISSOR_TEST);
-  const bool smoothed = renderer->GetUseFXAA();
   GLint area[4];
   gl->vtkglGetIntegerv(GL_VIEWPORT, area);
   const GLuint bound = Get(GL_DRAW_FRAMEBUFFER_BINDING);
@@ -95,12 +94,10 @@ void vtkPVSamplesPass::Render(const vtkRenderState* state)
   gl->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Allocated[0]);
   gl->SetEnumState(GL_SCISSOR_TEST, scissored);
   gl->vtkglEnable(GL_MULTISAMPLE);
-  renderer->SetUseFXAA(false);
 
   this->Delegate->Render(state);
   this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
 
-  renderer->SetUseFXAA(smoothed);
   gl->vtkglDisable(GL_SCISSOR_TEST);
   Copy(gl, this->Allocated[0], bound, area);
   gl->PopFramebufferBindings();

@@ -7,7 +7,7 @@
  * ParaView's windows have one sample, and what it reads from them (parts of ranks, depths for a picker) could not be
  * read if they had more. So the samples are in a framebuffer of this pass: it takes what the bound framebuffer holds,
  * has its delegate draw, and gives colour (the mean of the samples) and depth (of one of them) back. FXAA, which can't
- * read several samples and has no edges to smooth then, is left out.
+ * read several samples and has no edges to smooth then, has to be off (vtkPVTranslucency sees to it).
  *
  * It takes 8 bytes per sample and pixel.
  */

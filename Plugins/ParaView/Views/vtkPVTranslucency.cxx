@@ -92,6 +92,7 @@ struct vtkPVTranslucency::Internals
   vtkNew<vtkTranslucencyStatistics> Statistics;
   std::string Fallback;
   bool Agreed = true;
+  bool HasUsedFXAA = false; // before the frame that is being drawn
 
   vtkPVSynchronizedRenderer* GetSynchronizer() { return this->View ? ViewWithSynchronizer::Get(this->View) : nullptr; }
 
@@ -164,8 +165,9 @@ bool vtkPVTranslucency::AddToView(vtkView* view)
   Internals& kept = *this->Internal;
   kept.View = renderView;
   kept.Renderer = renderView->GetRenderer();
-  kept.StartObserver = kept.Renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVTranslucency::PutIn);
-  kept.EndObserver = kept.Renderer->AddObserver(vtkCommand::EndEvent, this, &vtkPVTranslucency::CompareRanks);
+  constexpr float first = 1; // before what ParaView does there
+  kept.StartObserver = kept.Renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVTranslucency::BeginFrame, first);
+  kept.EndObserver = kept.Renderer->AddObserver(vtkCommand::EndEvent, this, &vtkPVTranslucency::EndFrame);
   this->PutIn();
   return true;
 }
@@ -360,6 +362,24 @@ void vtkPVTranslucency::PutIn()
   {
     synchronizer->SetRenderPass(kept.Steps);
   }
+}
+
+//------------------------------------------------------------------------------
+// Several samples take the place of FXAA. Where ranks draw, ParaView asks for it here, and smooths what it has put
+// together.
+void vtkPVTranslucency::BeginFrame()
+{
+  Internals& kept = *this->Internal;
+  this->PutIn();
+  kept.HasUsedFXAA = kept.Renderer->GetUseFXAA();
+  kept.Renderer->SetUseFXAA(kept.HasUsedFXAA && !(kept.Steps && kept.Samples > 1));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVTranslucency::EndFrame()
+{
+  this->Internal->Renderer->SetUseFXAA(this->Internal->HasUsedFXAA);
+  this->CompareRanks();
 }
 
 //------------------------------------------------------------------------------

@@ -103,6 +103,8 @@ private:
   void SetOption(const char* option, const std::string& value);
   void MakePasses();
   void PutIn();
+  void BeginFrame();
+  void EndFrame();
   void CompareRanks();
   vtkTranslucencyStatistics* GetStatistics();
 
