@@ -11,6 +11,7 @@ import subprocess
 import sys
 
 # By component, patterns of the paths below the prefix: each file is one of them, and each is there.
+HEADERS = r"include/vtkTranslucency(/\w+)?"  # in the folders of the sources from VTK 9.6 on
 LIBRARY = r"lib\S*"
 LOADED = LIBRARY + r"/vtkTranslucency"
 PACKAGE = LIBRARY + r"/vtktranslucency"
@@ -21,9 +22,9 @@ FILES = {
         r"share/licenses/vtkTranslucency/LICENSE",
     ],
     "development": [
-        r"include/vtkTranslucency/vtkRenderingTranslucencyModule\.h",
-        r"include/vtkTranslucency/Passes/vtkTranslucencyFactory\.h",
-        r"include/vtkTranslucency/(Core|Passes|Storage|Study)/vtk\w+\.h",
+        HEADERS + r"/vtkRenderingTranslucencyModule\.h",
+        HEADERS + r"/Passes/vtkTranslucencyFactory\.h",
+        HEADERS + r"/(Core|Passes|Storage|Study)/vtk\w+\.h",
         LIBRARY + r"/libvtkRenderingTranslucency\.so",
         LIBRARY + r"/cmake/vtkTranslucency/vtkTranslucency(Config|ConfigVersion|-targets|-targets-\w+|-vtk-module-properties)\.cmake",
         LIBRARY + r"/vtk/hierarchy/vtkTranslucency/vtkRenderingTranslucency-hierarchy\.txt",

@@ -2,6 +2,7 @@
 
 import contextlib
 import hashlib
+import importlib.metadata
 import os
 import pathlib
 import subprocess
@@ -143,6 +144,12 @@ def picture(window):
 
 
 class TestEnable(unittest.TestCase):
+    def test_version(self):
+        """That of the distribution, where pip has installed one."""
+        self.assertRegex(vtktranslucency.__version__, r"^\d+\.\d+\.\d+$")
+        for distribution in importlib.metadata.distributions(name="vtktranslucency"):
+            self.assertEqual(distribution.version, vtktranslucency.__version__)
+
     def test_default_is_adaptive(self):
         renderer = vtk.vtkRenderer()
         technique_pass = vtktranslucency.enable(renderer)
