@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 # By component, patterns of the paths below the prefix: each file is one of them, and each is there.
-HEADERS = r"include/vtkTranslucency(/\w+)?"  # in the folders of the sources from VTK 9.6 on
+HEADERS = r"include/vtkTranslucency"
 LIBRARY = r"lib\S*"
 LOADED = LIBRARY + r"/vtkTranslucency"
 PACKAGE = LIBRARY + r"/vtktranslucency"
