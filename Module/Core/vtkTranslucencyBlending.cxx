@@ -110,18 +110,27 @@ std::vector<vtkTranslucencyStage> vtkTranslucencyBlending::Split(const vtkTransl
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyBlending::Mask(const vtkTranslucencyStage& stage)
+void vtkTranslucencyBlending::Mask(vtkOpenGLState* state, const vtkTranslucencyStage& stage)
 {
-  for (int buffer = 0; !stage.Masked.empty() && buffer < stage.Targets->GetCount(); ++buffer)
+  if (stage.Masked.empty())
   {
-    const GLboolean drawn = stage.Masked.count(buffer) == 0 ? GL_TRUE : GL_FALSE;
-    glColorMaski(static_cast<GLuint>(buffer), drawn, drawn, drawn, drawn);
+    return;
+  }
+  const auto drawn = [&stage](int buffer) { return stage.Masked.count(buffer) == 0 ? GL_TRUE : GL_FALSE; };
+  state->vtkglColorMask(drawn(0), drawn(0), drawn(0), drawn(0));
+  for (int buffer = 0; buffer < stage.Targets->GetCount(); ++buffer)
+  {
+    glColorMaski(static_cast<GLuint>(buffer), drawn(buffer), drawn(buffer), drawn(buffer), drawn(buffer));
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyBlending::Unmask(const vtkTranslucencyStage& stage)
+void vtkTranslucencyBlending::Unmask(vtkOpenGLState* state, const vtkTranslucencyStage& stage)
 {
+  if (!stage.Masked.empty())
+  {
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
   for (int buffer : stage.Masked)
   {
     glColorMaski(static_cast<GLuint>(buffer), GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -26,9 +26,9 @@ public:
   /// A stage that draws to targets, as several, in each of which all buffers that are drawn to are blended alike.
   static std::vector<vtkTranslucencyStage> Split(const vtkTranslucencyStage& stage);
 
-  /// Masks the buffers that a stage leaves alone, and takes the masks away. The cache knows of neither.
-  static void Mask(const vtkTranslucencyStage& stage);
-  static void Unmask(const vtkTranslucencyStage& stage);
+  /// Masks the buffers that a stage leaves alone, and takes the masks away. The cache knows what the first one has.
+  static void Mask(vtkOpenGLState* state, const vtkTranslucencyStage& stage);
+  static void Unmask(vtkOpenGLState* state, const vtkTranslucencyStage& stage);
 
   /// Blends all buffers as the first one, as the cache has it.
   static void UseOneFunction();

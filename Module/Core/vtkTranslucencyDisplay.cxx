@@ -5,7 +5,7 @@
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkRenderWindow.h"
+#include "vtkOpenGLRenderWindow.h"
 
 #include "vtksys/DynamicLoader.hxx"
 
@@ -120,21 +120,21 @@ std::string vtkTranslucencyDisplay::GetMissing(vtkRenderWindow* window)
   {
     return "";
   }
-  static std::set<std::string> supported;
   const std::string missing = x ? MissingOfX() : "";
-  if (!missing.empty() || supported.count(window->GetClassName()))
+  if (!missing.empty())
   {
     return missing;
-  }
-  if (SupportsOpenGL(window))
-  {
-    supported.insert(window->GetClassName());
-    return "";
   }
   if (osmesa && !HasOSMesa()) // the last that VTK tries
   {
     return NoDisplay() + ", and VTK found neither EGL nor OSMesa to draw without: expected one of the three " +
       "(Debian: apt-get install libegl1 libgl1-mesa-dri)";
+  }
+  static std::set<std::string> supported;
+  if (supported.count(window->GetClassName()) || SupportsOpenGL(vtkOpenGLRenderWindow::SafeDownCast(window)))
+  {
+    supported.insert(window->GetClassName());
+    return "";
   }
   return DriverOf(window) +
     " has no OpenGL 3.2, which VTK draws with: expected a driver that has; Mesa's draws without a " +

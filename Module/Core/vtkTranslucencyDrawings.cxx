@@ -35,8 +35,9 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void vtkTranslucencyDrawings::Each(const vtkTranslucencyStage& stage, const vtkTranslucencyCapabilities& capabilities,
-  int samples, const std::function<void(const vtkTranslucencyStage& drawn, int sample)>& draw)
+void vtkTranslucencyDrawings::Each(vtkOpenGLState* state, const vtkTranslucencyStage& stage,
+  const vtkTranslucencyCapabilities& capabilities, int samples,
+  const std::function<void(const vtkTranslucencyStage& drawn, int sample)>& draw)
 {
   const auto drawSamples = [&](const vtkTranslucencyStage& drawn)
   {
@@ -59,7 +60,7 @@ void vtkTranslucencyDrawings::Each(const vtkTranslucencyStage& stage, const vtkT
   for (const vtkTranslucencyStage& part : vtkTranslucencyBlending::Split(stage))
   {
     drawSamples(part);
-    vtkTranslucencyBlending::Unmask(part);
+    vtkTranslucencyBlending::Unmask(state, part);
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -17,6 +17,7 @@
 #include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLState;
 struct vtkTranslucencyCapabilities;
 
 class vtkTranslucencyDrawings
@@ -24,7 +25,8 @@ class vtkTranslucencyDrawings
 public:
   /// Calls draw for each drawing, with the stage as it is then, and what shaders are to see as the uniform
   /// targetSample. samples is how many a pixel has, 1 if no shader reads them.
-  static void Each(const vtkTranslucencyStage& stage, const vtkTranslucencyCapabilities& capabilities, int samples,
+  static void Each(vtkOpenGLState* state, const vtkTranslucencyStage& stage,
+    const vtkTranslucencyCapabilities& capabilities, int samples,
     const std::function<void(const vtkTranslucencyStage& drawn, int sample)>& draw);
 };
 VTK_ABI_NAMESPACE_END

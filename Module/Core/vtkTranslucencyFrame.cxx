@@ -392,7 +392,7 @@ bool vtkTranslucencyFrame::DrawScreen(const std::string& file, const Defines& de
     *any = false;
   }
   const int samples = stage.Inputs.empty() ? 1 : this->Shaders->GetContext().TargetSamples;
-  vtkTranslucencyDrawings::Each(stage, kept.Capabilities, samples,
+  vtkTranslucencyDrawings::Each(this->Window->GetState(), stage, kept.Capabilities, samples,
     [&](const Stage& drawn, int sample)
     {
       vtkTranslucencyShader::SetUniforms(program, { { "targetSample", sample } });

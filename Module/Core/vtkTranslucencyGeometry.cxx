@@ -68,7 +68,7 @@ void vtkTranslucencyGeometry::PrepareColors(const vtkTranslucencyStage& stage)
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->SetEnumState(GL_BLEND, stage.Blend != vtkTranslucencyStage::Blending::Replace);
   vtkTranslucencyBlending::Set(state, stage);
-  vtkTranslucencyBlending::Mask(stage);
+  vtkTranslucencyBlending::Mask(state, stage);
   if (stage.HidesBehind)
   {
     state->vtkglEnable(GL_DEPTH_TEST);
@@ -117,7 +117,7 @@ void vtkTranslucencyGeometry::Draw(const vtkTranslucencyStage& stage, bool color
   const int pixelSamples = this->Shaders.GetContext().TargetSamples;
   const bool reads = pixelSamples > 1 && (!stage.Inputs.empty() || kept.Unreached.HasAny(this->State));
   const int samples = reads ? pixelSamples : 1;
-  vtkTranslucencyDrawings::Each(stage, kept.Capabilities, samples,
+  vtkTranslucencyDrawings::Each(this->Window->GetState(), stage, kept.Capabilities, samples,
     [&](const vtkTranslucencyStage& drawn, int sample)
     {
       drawing.Values["targetSample"] = sample;
@@ -218,7 +218,7 @@ void vtkTranslucencyGeometry::DrawUnreached(vtkProp* prop, const vtkTranslucency
   vtkTranslucencySetProps(one, props, this->State);
   const auto drawProp = [&] { this->Pass->GetTranslucentPass()->Render(&one); };
   int layer = 0;
-  vtkTranslucencyBlending::Unmask(stage);
+  vtkTranslucencyBlending::Unmask(this->Window->GetState(), stage);
   while (layers.Draw(this->Window, kept.Unreached.GetWatch(), layer, drawProp))
   {
     if (layer == vtkTranslucencyLayers::Most)
@@ -233,7 +233,7 @@ void vtkTranslucencyGeometry::DrawUnreached(vtkProp* prop, const vtkTranslucency
       return;
     }
     ++layer;
-    vtkTranslucencyBlending::Unmask(stage);
+    vtkTranslucencyBlending::Unmask(this->Window->GetState(), stage);
   }
   kept.Mappers->GetDrawing().Values["gatherLayer"] = 0;
   this->Prepare(stage, colors); // for what is drawn next

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 import vtktranslucency
-from vtk_under_test import vtk
+from vtk_under_test import PACKAGE, vtk
 
 
 def translucent_scene():
@@ -407,12 +407,14 @@ class TestBadInput(unittest.TestCase):
     def enable_elsewhere(self, **environment):
         """What enable() raises in a process with this environment, which has to end well and says nothing else."""
         code = (
-            "import vtktranslucency; from vtk_under_test import vtk; vtk.vtkObject.GlobalWarningDisplayOff()\n"
-            "window = vtk.vtkRenderWindow(); renderer = vtk.vtkRenderer(); window.AddRenderer(renderer)\n"
+            "import vtktranslucency\n"
+            f"from {PACKAGE} import vtkCommonCore, vtkRenderingCore\n"  # no more: others want an EGL before there is a window
+            "vtkCommonCore.vtkObject.GlobalWarningDisplayOff()\n"
+            "window = vtkRenderingCore.vtkRenderWindow(); renderer = vtkRenderingCore.vtkRenderer(); window.AddRenderer(renderer)\n"
             "try: vtktranslucency.enable(renderer)\n"
             "except ValueError as error: print(error)")
         changed = {name: value for name, value in {**os.environ, **environment}.items() if value is not None}
-        run = subprocess.run([sys.executable, "-c", code], cwd=pathlib.Path(__file__).parent, env=changed, capture_output=True, text=True)
+        run = subprocess.run([sys.executable, "-c", code], env=changed, capture_output=True, text=True)
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         return run.stdout
 
