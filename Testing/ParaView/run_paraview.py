@@ -58,7 +58,7 @@ class Programs:
                         break
                 else:
                     raise Failure("pvserver did not say where it listens")
-                return self.run(case, plugin=plugin, url=[f"localhost:{found[1]}"], says=says)
+                return self.run(case, plugin=plugin, url=[f"127.0.0.1:{found[1]}"], says=says)
             finally:
                 server.terminate()  # mpiexec ends its ranks then
 
