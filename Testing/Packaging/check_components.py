@@ -50,7 +50,10 @@ FILES = {
         LIBRARY + r"/paraview-[\d.]+/plugins/Translucency/libvtkRenderingTranslucency\.so\.[\d.]+",
     ],
 }
-MAY_BE_THERE = {"python": [PACKAGE + r"/vtkRenderingTranslucency\.pyi"]}  # where VTK has a generator of stubs
+MAY_BE_THERE = {
+    "development": [LIBRARY + r"/libvtkPVTranslucencyViewsCS\.a"],  # a part of the plugin, which ParaView's own CMake installs
+    "python": [PACKAGE + r"/vtkRenderingTranslucency\.pyi"],  # where VTK has a generator of stubs
+}
 
 
 def install(cmake, build, prefix, *arguments):
