@@ -39,17 +39,23 @@ void vtkTranslucencyDrawings::Each(vtkOpenGLState* state, const vtkTranslucencyS
   const vtkTranslucencyCapabilities& capabilities, int samples,
   const std::function<void(const vtkTranslucencyStage& drawn, int sample)>& draw)
 {
+  // Masks don't outlive a drawing: what follows asks for others through the cache, which knows that of one buffer.
+  const auto drawUnderMask = [&](const vtkTranslucencyStage& drawn, int sample)
+  {
+    draw(drawn, sample);
+    vtkTranslucencyBlending::Unmask(state, drawn);
+  };
   const auto drawSamples = [&](const vtkTranslucencyStage& drawn)
   {
     if (samples == 1 || capabilities.ShadesSamples)
     {
-      draw(drawn, 0);
+      drawUnderMask(drawn, 0);
       return;
     }
     for (int sample = 0; sample < samples; ++sample)
     {
       const ScopedSample only(sample);
-      draw(drawn, sample);
+      drawUnderMask(drawn, sample);
     }
   };
   if (capabilities.BlendsBuffersApart || stage.Differing.empty())
@@ -60,7 +66,6 @@ void vtkTranslucencyDrawings::Each(vtkOpenGLState* state, const vtkTranslucencyS
   for (const vtkTranslucencyStage& part : vtkTranslucencyBlending::Split(stage))
   {
     drawSamples(part);
-    vtkTranslucencyBlending::Unmask(state, part);
   }
 }
 VTK_ABI_NAMESPACE_END
