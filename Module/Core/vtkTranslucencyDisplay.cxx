@@ -127,7 +127,8 @@ std::string vtkTranslucencyDisplay::GetMissing(vtkRenderWindow* window)
   }
   if (osmesa && !HasOSMesa()) // the last that VTK tries
   {
-    return NoDisplay() + ", and VTK found neither EGL nor OSMesa to draw without: expected one of the three " +
+    return NoDisplay() +
+      ", and VTK found neither EGL nor OSMesa with OpenGL 3.2 to draw without: expected one of the three " +
       "(Debian: apt-get install libegl1 libgl1-mesa-dri)";
   }
   static std::set<std::string> supported;

@@ -415,7 +415,7 @@ def orbit_moves_the_camera(command, folder):
 
 
 # What the command asks for where VTK can't open a window: up to release 9.3, and since.
-WITHOUT = "(expected one, or the program xvfb-run|and VTK found neither EGL nor OSMesa to draw without: expected one of the three)"
+WITHOUT = "(expected one, or the program xvfb-run|and VTK found neither EGL nor OSMesa with OpenGL 3.2 to draw without: expected one of the three)"
 
 CASES = {
     "List": list_text,
