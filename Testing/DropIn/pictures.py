@@ -5,7 +5,7 @@ import html
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader, vtkPNGWriter
 
 
 def read(file):
@@ -18,15 +18,31 @@ def read(file):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[..., :3]
 
 
-def write(file, pixels):
+def to_image(pixels):
     height, width, channels = pixels.shape
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
     image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, channels), deep=True))
+    return image
+
+
+def write(file, pixels):
     writer = vtkPNGWriter()
     writer.SetFileName(str(file))
-    writer.SetInputData(image)
+    writer.SetInputData(to_image(pixels))
     writer.Write()
+
+
+def write_small(file, pixels):
+    """As JPEG, as good as it gets in 60 kB."""
+    writer = vtkJPEGWriter()
+    writer.SetFileName(str(file))
+    writer.SetInputData(to_image(pixels))
+    for quality in range(90, 0, -5):
+        writer.SetQuality(quality)
+        writer.Write()
+        if file.stat().st_size < 60_000:
+            return
 
 
 def difference(a, b, file=None):
@@ -40,13 +56,16 @@ def difference(a, b, file=None):
     return (pixels <= 3).mean(), pixels.max()
 
 
-def montage(file, rows):
-    """Pictures of one size, of even numbers of pixels, in rows; each in half its size."""
-    def half(picture):
+def join(rows, scale=1):
+    """Pictures of one size in rows, the first one above; each of them shrunk by a whole number. An incomplete row is filled with white."""
+    def shrink(picture):
         height, width, channels = picture.shape
-        return picture.reshape(height // 2, 2, width // 2, 2, channels).mean(axis=(1, 3)).astype(numpy.uint8)
+        return picture.reshape(height // scale, scale, width // scale, scale, channels).mean(axis=(1, 3)).astype(numpy.uint8)
 
-    write(file, numpy.concatenate([numpy.concatenate([half(picture) for picture in row], axis=1) for row in reversed(rows)]))
+    longest = max(map(len, rows))
+    white = numpy.full_like(rows[0][0], 255)
+    filled = [[*row, *[white] * (longest - len(row))] for row in rows]
+    return numpy.concatenate([numpy.concatenate([shrink(picture) for picture in row], axis=1) for row in reversed(filled)])
 
 
 def page(file, title, columns, rows):

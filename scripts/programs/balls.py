@@ -11,3 +11,4 @@ BALLS = [  # centres and colours
 ]
 CAMERA = (0, 0, 4.4), (0, 0, 0), (0, 1, 0)  # position, focal point, view up
 SIZE = (400, 300)
+PAGE_SIZE = (480, 360)  # of the programs that have a page of their own, and draw something else
