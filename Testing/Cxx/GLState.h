@@ -23,8 +23,8 @@ std::vector<std::string> TakeGLErrors();
 /// Whether zink draws: for what it can't do (Documentation/Drivers.md).
 bool IsZink();
 
-/// Whether the driver crashes in VTK's effect of this name in that window (Documentation/Drivers.md). May draw in it,
-/// to have a context.
-bool CrashesIn(const std::string& effect, vtkRenderWindow* window);
+/// Whether VTK's effect of this name fails in that window, whatever draws in it (Documentation/Drivers.md): the driver
+/// crashes, or OpenGL has errors in a window like it that VTK alone draws in. May draw in it, to have a context.
+bool VTKFailsIn(const std::string& effect, vtkRenderWindow* window);
 
 #endif

@@ -136,9 +136,9 @@ TEST_P(TestEffects, OfTheRendererAreThose)
 {
   const auto& [effect, samples] = GetParam();
   Room stock(samples, vtkSmartPointer<BlendingRenderer>::New());
-  if (CrashesIn(effect.Name, stock.Window))
+  if (VTKFailsIn(effect.Name, stock.Window))
   {
-    GTEST_SKIP() << "VTK's FXAA crashes the driver in multi-sampled windows";
+    GTEST_SKIP() << "VTK's FXAA fails in multi-sampled windows";
   }
   const Picture plain = stock.Render();
   effect.Use(stock.Renderer, true);
@@ -174,9 +174,9 @@ TEST_P(TestEffectsOfTechniques, AreThoseOfTheRenderer)
   const auto& [effect, samples] = GetParam();
   Room stock(samples, vtkSmartPointer<BlendingRenderer>::New());
   stock.ShowOthers(false);
-  if (CrashesIn(effect.Name, stock.Window))
+  if (VTKFailsIn(effect.Name, stock.Window))
   {
-    GTEST_SKIP() << "VTK's FXAA crashes the driver in multi-sampled windows";
+    GTEST_SKIP() << "VTK's FXAA fails in multi-sampled windows";
   }
   effect.Use(stock.Renderer, true);
   const Picture expected = stock.Render();
@@ -229,7 +229,7 @@ TEST_F(TestEffectsOfPasses, ShadowsOfTheRendererHideNothing)
       const PictureDifference difference = Compare(draw(), blended);
       EXPECT_LE(difference.Largest, 2) << name << ": " << difference;
     }
-    if (!CrashesIn("FXAA", room.Window))
+    if (!VTKFailsIn("FXAA", room.Window))
     {
       room.Renderer->UseFXAAOn();
       room.Render();

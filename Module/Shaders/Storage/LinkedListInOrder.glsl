@@ -23,15 +23,15 @@
 void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 {
   uint at = headIndex(pixel);
+  uint last = heads[at];
 #if MERGES_SAMPLES
-  if (mergeIntoNode(heads[at], fragment, depthExtent))
+  if (mergeIntoNode(last, fragment, depthExtent))
   {
     return;
   }
 #endif
   uint counter = counterOf(pixel);
   COUNT_STORE(counter);
-  uint last = heads[at];
   uint index = last;
   if (last % uint(UNIT_LENGTH) == 0u)
   {

@@ -20,12 +20,13 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 {
 #if MERGES_SAMPLES
   uint at = headIndex(pixel);
-  if (mergeIntoNode(heads[at], fragment, depthExtent)) // until lists are made, a pixel's entry is the one drawn last
+  uint last = heads[at]; // until lists are made, a pixel's entry is the one drawn last
+  if (mergeIntoNode(last, fragment, depthExtent))
   {
     return;
   }
   uint node = queueFragment(pixel, fragment);
-  heads[at] = node == 0u ? heads[at] : node;
+  heads[at] = node == 0u ? last : node;
 #else
   queueFragment(pixel, fragment);
 #endif

@@ -15,8 +15,9 @@
 void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 {
   uint at = headIndex(pixel);
+  uint entry = heads[at];
 #if MERGES_SAMPLES
-  uint last = lastOf(heads[at]);
+  uint last = lastOf(entry);
   if (last != 0u && last <= placeRoom())
   {
     Fragment stored = readPlace(last - 1u);
@@ -31,7 +32,6 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
   COUNT_STORE(counter);
   uint taken = 0u;
   uint place; // beyond the last one where there is no room: the frame is counted to its end
-  uint entry = heads[at];
   heads[at] = claimFrom(entry, at, counter, taken, place);
   countPixel(entry, counter);
   if (place < placeRoom())
