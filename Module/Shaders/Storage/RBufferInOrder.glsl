@@ -21,12 +21,11 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 #if MERGES_SAMPLES
   uint at = headIndex(pixel);
   uint last = heads[at]; // until lists are made, a pixel's entry is the one drawn last
-  if (mergeIntoNode(last, fragment, depthExtent))
+  if (!mergeIntoNode(last, fragment, depthExtent))
   {
-    return;
+    uint node = queueFragment(pixel, fragment);
+    heads[at] = node == 0u ? last : node;
   }
-  uint node = queueFragment(pixel, fragment);
-  heads[at] = node == 0u ? last : node;
 #else
   queueFragment(pixel, fragment);
 #endif
