@@ -24,6 +24,9 @@ struct DropInFunctions
 
   /// What vtkDefaultPass draws of translucent props, by the technique. False where that is left to VTK's.
   bool (*RenderTranslucent)(const void* state);
+
+  /// What VTK's renderers call as vtkOpenGLRenderer::UpdateGeometry.
+  const void* (*GetUpdateGeometry)();
 };
 
 /// The name of the function that gives them.

@@ -175,7 +175,8 @@ private:
     using GetText = const char* (*)();
     auto* getVersion = reinterpret_cast<GetText>(Find("GetVTKVersion", caller));
     const std::string version = getVersion ? getVersion() : "of an unknown version";
-    const fs::path folder = fs::path(FileOf(reinterpret_cast<const void*>(&FindVTK))).parent_path();
+    const std::string here = FileOf(reinterpret_cast<const void*>(&FindVTK));
+    const fs::path folder = fs::path(here).parent_path();
     const std::vector<std::string> versions = ListVersions(folder);
     if (std::find(versions.begin(), versions.end(), version) == versions.end())
     {
@@ -211,6 +212,12 @@ private:
       return;
     }
     this->Functions = getFunctions();
+    if (this->Always && FileOf(this->Functions->GetUpdateGeometry()) != here)
+    {
+      Say("its VTK, " + theirs +
+        ", is linked so that its renderers can't be reached: --always finds its passes, and what asks for depth "
+        "peeling (vtkRenderer::UseDepthPeelingOn); the rest draws as it would have");
+    }
   }
 
   static std::vector<std::string> ListVersions(const fs::path& folder)

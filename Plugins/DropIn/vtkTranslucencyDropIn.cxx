@@ -15,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkProp.h"
 #include "vtkRenderPass.h"
@@ -25,7 +26,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -62,6 +65,20 @@ struct Peeling : vtkRenderer
 {
   static vtkTypeBool& Surfaces(vtkRenderer* renderer) { return renderer->*(&Peeling::UseDepthPeeling); }
   static bool& Volumes(vtkRenderer* renderer) { return renderer->*(&Peeling::UseDepthPeelingForVolumes); }
+
+  // From the table of virtual functions, as all compilers on Linux lay it out (Itanium C++ ABI, 2.3): an object begins
+  // with the table's address, and a pointer to a member with a place in it, whose lowest bit may be set.
+  static const void* FindUpdateGeometry(vtkRenderer* renderer)
+  {
+    const auto member = &Peeling::UpdateGeometry;
+    std::uintptr_t place;
+    std::memcpy(&place, &member, sizeof(place));
+    const char* table;
+    std::memcpy(&table, static_cast<const void*>(renderer), sizeof(table));
+    const void* function;
+    std::memcpy(&function, table + (place & ~std::uintptr_t(1)), sizeof(function));
+    return function;
+  }
 };
 
 int UpdateGeometry(void* self, void* framebuffer, int (*own)(void*, void*))
@@ -122,6 +139,12 @@ bool RenderTranslucent(const void* data)
   return true;
 }
 
+const void* GetUpdateGeometry()
+{
+  const vtkNew<vtkRenderer> renderer;
+  return Peeling::FindUpdateGeometry(renderer);
+}
+
 // The file of the library that the techniques are in.
 const char* GetModuleFile()
 {
@@ -135,6 +158,6 @@ const char* GetModuleFile()
 extern "C" __attribute__((visibility("default"))) const DropInFunctions* vtkTranslucencyDropInFunctions()
 {
   static const DropInFunctions functions{ TRANSLUCENCY_RELEASE, GetModuleFile(), NewPeeling, UpdateGeometry,
-    RenderTranslucent };
+    RenderTranslucent, GetUpdateGeometry };
   return &functions;
 }

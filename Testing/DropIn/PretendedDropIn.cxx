@@ -27,6 +27,12 @@ bool RenderTranslucent(const void*)
 {
   return false;
 }
+
+// As with a VTK whose renderers don't call by way of the loader.
+const void* GetUpdateGeometry()
+{
+  return reinterpret_cast<const void*>(&UpdateGeometry);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -35,6 +41,6 @@ extern "C" __attribute__((visibility("default"))) const DropInFunctions* vtkTran
   static Dl_info here;
   dladdr(reinterpret_cast<const void*>(&NewPeeling), &here);
   static const DropInFunctions functions{ TRANSLUCENCY_RELEASE, here.dli_fname, NewPeeling, UpdateGeometry,
-    RenderTranslucent };
+    RenderTranslucent, GetUpdateGeometry };
   return &functions;
 }

@@ -201,6 +201,14 @@ def drop_ins_that_do_not_fit(runner):
     refuses(runner, preload, "the drop-in can't be loaded: ")
 
 
+def always_tells_of_renderers_out_of_reach(runner):
+    preload = runner.package(**{own_version(): "libPretendedDropIn.so"})
+    stock, _ = runner.draw(["blending"])
+    drawn, said = runner.draw(["blending"], environment={"LD_PRELOAD": preload, "TRANSLUCENCY_ALWAYS": "1"})
+    assert stock == drawn
+    assert said.count("\n") == 1 and "its renderers can't be reached: --always finds its passes" in said, said
+
+
 def never_asked(runner):
     stock, _ = runner.draw(["blending"])
     drawn, said = runner.run(["blending"])
@@ -363,7 +371,7 @@ CASES = {case.__name__: case for case in (
     never_asked, never_reached, falls_back_to_peeling, bad_command_lines, programs_without_vtk,
     always_a_renderer, always_where_peeling_is_switched_off, always_a_subclass_in_python, always_in_cxx,
     always_multi_sampled, always_several_renderers, always_volumes, always_effects_of_the_renderer, always_passes,
-    always_leaves_what_was_asked_for, always_selects, always_every_technique)}
+    always_leaves_what_was_asked_for, always_selects, always_every_technique, always_tells_of_renderers_out_of_reach)}
 if importlib.util.find_spec("pyvista"):
     CASES["always_in_pyvista"] = always_in_pyvista
 
