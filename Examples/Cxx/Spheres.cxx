@@ -28,7 +28,7 @@ void AddSphere(vtkRenderer* renderer, double x, double y, double red, double gre
   actor->SetMapper(mapper);
   actor->SetPosition(x, y, 0);
   actor->GetProperty()->SetColor(red, green, blue);
-  actor->GetProperty()->SetOpacity(0.4);
+  actor->GetProperty()->SetOpacity(0.7);
   renderer->AddActor(actor);
 }
 

@@ -16,7 +16,7 @@ for x, y, color in ((-0.25, 0, (0.9, 0.3, 0.1)), (0.25, 0, (0.1, 0.6, 0.2)), (0,
     actor.GetMapper().SetInputConnection(sphere.GetOutputPort())
     actor.SetPosition(x, y, 0)
     actor.GetProperty().SetColor(color)
-    actor.GetProperty().SetOpacity(0.4)
+    actor.GetProperty().SetOpacity(0.7)
     renderer.AddActor(actor)
 
 vtktranslucency.enable(renderer, "adaptive", nodes=16)

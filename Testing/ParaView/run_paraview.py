@@ -98,6 +98,12 @@ def run_bad_values(programs):
     ])
 
 
+def run_by_name(programs):
+    """Where ParaView is told of the file that is installed beside the plugin's folder."""
+    programs.environment["PV_PLUGIN_CONFIG_FILE"] = str(pathlib.Path(programs.plugin).parents[1] / "translucency.plugins.xml")
+    programs.run("by_name", plugin="none")
+
+
 def run_samples(programs):
     for number in (1, 2):
         programs.run_on_ranks(number, "samples", says=["TranslucencySamples is 9, expected 1 to 8; the view draws with 4 as before"])

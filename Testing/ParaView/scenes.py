@@ -13,6 +13,7 @@ from paraview.simple import (
     Delete,
     GetActiveView,
     GetActiveViewOrCreate,
+    LoadDistributedPlugin,
     LoadState,
     ProgrammableSource,
     Render,
@@ -156,6 +157,11 @@ def techniques(folder):
     expect_far(numpy.load(folder / "stock.npy"), right, 5, "ParaView by itself")
     view.TranslucencyTechnique = "None"
     expect_near(draw(view), numpy.load(folder / "stock.npy"), 0, "None")
+
+
+def by_name(_folder):
+    LoadDistributedPlugin("Translucency", remote=False, ns=globals())
+    expect_near(draw(new_view()), over()[0], 1, "the default")
 
 
 def options(_folder):
