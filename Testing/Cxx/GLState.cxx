@@ -5,6 +5,8 @@
 #include "vtkTranslucencyVTKVersion.h"
 
 #include <vtkNew.h>
+#include <vtkOpenGLFXAAPass.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -137,7 +139,7 @@ bool IsZink()
 
 namespace
 {
-// Whether VTK says something of a window of several samples that it draws with FXAA.
+// Whether VTK says something of a window of several samples that it draws by its own passes with FXAA.
 bool FXAAHasErrors(int samples)
 {
   const vtkSmartPointer<vtkOutputWindow> shown = vtkOutputWindow::GetInstance();
@@ -148,7 +150,9 @@ bool FXAAHasErrors(int samples)
     window->OffScreenRenderingOn();
     window->SetMultiSamples(samples);
     vtkNew<vtkRenderer> renderer;
-    renderer->UseFXAAOn();
+    vtkNew<vtkOpenGLFXAAPass> pass;
+    pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
+    renderer->SetPass(pass);
     window->AddRenderer(renderer);
     window->Render();
   }
