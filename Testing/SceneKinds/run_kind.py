@@ -9,12 +9,13 @@ Slabs are drawn with one sample a pixel. The truth with four is the mean of four
 so that one sample of each pixel lies where its centre was. Only edges are the same then: what is shaded once a pixel is shaded at
 another place, and points and lines are as wide as before. That is why the bound is wider.
 
-A kind that VTK itself may fail in is skipped where it does (exit code 77): with one sample or more, what is opaque is not seen, OpenGL has
-an error, or the process ends.
+A kind that VTK itself may fail in is skipped where it does (exit code 77): with one sample or more, what is opaque is not seen, VTK warns
+of something, or the process ends.
 """
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -35,6 +36,7 @@ BOUND = {1: 3, 4: 8}  # of 255
 LEAST_SEEN = 0.02  # of the pixels have to change where translucent props are drawn
 SKIPPED = 77
 NOT_SEEN = 3
+WARNING = r"(ERR|WARN)\|(?! GL Message: .*SOURCE_SHADER_COMPILER)"  # of VTK, not what a driver's compiler remarks on its shaders
 
 
 def items(collection):
@@ -173,8 +175,8 @@ def run(name, folder):
     kind = KINDS[name]
     if kind.may_fail:
         alone = subprocess.run([sys.executable, "-B", __file__, "--alone", name], capture_output=True, text=True)
-        if alone.returncode == NOT_SEEN or alone.returncode < 0 or "GL_INVALID" in alone.stderr:  # less than 0: by a signal
-            print(f"{name}: left out, for VTK {vtk.vtkVersion.GetVTKVersion()} does not draw what is opaque in it, either")
+        if alone.returncode == NOT_SEEN or alone.returncode < 0 or re.search(WARNING, alone.stderr):  # less than 0: by a signal
+            print(f"{name}: left out, for VTK {vtk.vtkVersion.GetVTKVersion()} does not draw what is opaque in it without complaint, either")
             (folder / f"{name}.json").write_text(json.dumps({"kind": name, "results": None}) + "\n")
             return SKIPPED
         assert alone.returncode == 0, alone.stderr
