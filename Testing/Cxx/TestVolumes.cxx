@@ -439,7 +439,8 @@ TEST_P(TestRays, AreCastThroughInvisibleSurfacesAsWithout)
   vtkNew<vtkABufferPass> pass;
   view.SetPass(pass);
   const PictureDifference difference = Compare(alone, view.Render());
-  EXPECT_LE(difference.Largest, IsZink() ? 3 : 2) << difference;
+  // With VTK 9.6 a pixel of what is clipped is off by 3, on llvmpipe and zink alike.
+  EXPECT_LE(difference.Largest, GetParam().Name == std::string("Clipped") ? 3 : 2) << difference;
   EXPECT_LE(difference.RootMeanSquare, 0.002) << difference;
   EXPECT_GE(pass->GetStatistics()->GetDeepestPixel(), 13);
   view.Renderer->RemoveAllViewProps();

@@ -127,6 +127,8 @@ def every_technique_takes_volumes(runner):
     without, _ = runner.run(["renderer"])
     for technique in ("exact", "adaptive", "blend", "vtk-oit", "vtk-peel"):
         drawn, said = runner.run(["volumes"], "--technique", technique)
+        if technique == "vtk-peel":  # VTK 9.6 prints what a driver's compiler remarks on VTK's own shader
+            said = [line for line in said.splitlines() if line and "SOURCE_SHADER_COMPILER" not in line]
         assert not said and largest(without, drawn) > 20, f"{technique}: {said}"
 
 
