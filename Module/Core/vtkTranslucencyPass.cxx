@@ -327,6 +327,8 @@ const vtkTranslucencyCapabilities& vtkTranslucencyPass::GetCapabilities(vtkOpenG
   if (kept.Window != window || kept.Context != window->GetGenericContext())
   {
     this->ReleaseGraphicsResources(nullptr);
+    // Which leaves the context of the other window current where VTK can't give it back: with EGL and OSMesa.
+    window->MakeCurrent();
     kept.Window = window;
     kept.Context = window->GetGenericContext();
     kept.Capabilities = vtkTranslucencyCapabilities::Probe(window);
