@@ -44,7 +44,7 @@ BlendFunction GetFunction(vtkTranslucencyStage::Blending blending)
   }
 }
 
-// That of one of a stage's buffers.
+// How one of a stage's buffers is blended.
 vtkTranslucencyStage::Blending GetBlending(const vtkTranslucencyStage& stage, int buffer)
 {
   const auto differing = stage.Differing.find(buffer);
@@ -118,7 +118,7 @@ void vtkTranslucencyBlending::Mask(vtkOpenGLState* state, const vtkTranslucencyS
   }
   const auto drawn = [&stage](int buffer) { return stage.Masked.count(buffer) == 0 ? GL_TRUE : GL_FALSE; };
   state->vtkglColorMask(drawn(0), drawn(0), drawn(0), drawn(0));
-  for (int buffer = 0; buffer < stage.Targets->GetCount(); ++buffer)
+  for (int buffer = 1; buffer < stage.Targets->GetCount(); ++buffer)
   {
     glColorMaski(static_cast<GLuint>(buffer), drawn(buffer), drawn(buffer), drawn(buffer), drawn(buffer));
   }

@@ -5,7 +5,7 @@
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderWindow.h"
 
 #include "vtksys/DynamicLoader.hxx"
 
@@ -132,7 +132,7 @@ std::string vtkTranslucencyDisplay::GetMissing(vtkRenderWindow* window)
       "(Debian: apt-get install libegl1 libgl1-mesa-dri)";
   }
   static std::set<std::string> supported;
-  if (supported.count(window->GetClassName()) || SupportsOpenGL(vtkOpenGLRenderWindow::SafeDownCast(window)))
+  if (supported.count(window->GetClassName()) || SupportsOpenGL(window))
   {
     supported.insert(window->GetClassName());
     return "";
