@@ -12,6 +12,7 @@
 #include <vtkFragmentListPass.h>
 #include <vtkLinkedListStorage.h>
 #include <vtkMBufferStorage.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -247,6 +248,38 @@ TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
   const auto& [storage, samples] = GetParam();
   ExpectSamePictures(
     storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, true);
+}
+
+// Edges make the fragment shader another one. Where an opaque surface hides a part of it, a driver has lost fragments of
+// one storage.
+TEST_P(TestStorage, DrawsEdgesAsLinkedListsDo)
+{
+  const auto& [storage, samples] = GetParam();
+  View view(240, 160, samples);
+  AddBall(view.Renderer, false, 60, 60, 0);
+  view.Renderer->GetActors()->GetLastActor()->GetProperty()->SetOpacity(1);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(20, 20, -0.2);
+  plane->SetPoint1(220, 20, 0);
+  plane->SetPoint2(20, 140, 0.2);
+  plane->SetResolution(8, 8);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  view.Renderer->AddActor(actor);
+  vtkProperty* property = actor->GetProperty();
+  property->SetOpacity(0.5);
+  property->EdgeVisibilityOn();
+  property->SetEdgeColor(1, 1, 1);
+  property->SetLineWidth(2);
+  const auto expecting = New(LinkedList);
+  view.SetPass(expecting);
+  const Picture expected = view.Render();
+  const auto pass = New(storage);
+  view.SetPass(pass);
+  EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+  EXPECT_EQ(pass->GetStatistics()->GetFragments(), expecting->GetStatistics()->GetFragments());
 }
 
 // What shaders count, and what the closed forms expect from nothing but the histogram.

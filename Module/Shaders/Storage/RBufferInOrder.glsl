@@ -21,10 +21,14 @@ void storeFragment(ivec2 pixel, Fragment fragment, float depthExtent)
 #if MERGES_SAMPLES
   uint at = headIndex(pixel);
   uint last = heads[at]; // until lists are made, a pixel's entry is the one drawn last
-  if (!mergeIntoNode(last, fragment, depthExtent))
+  if (mergeIntoNode(last, fragment, depthExtent))
   {
-    uint node = queueFragment(pixel, fragment);
-    heads[at] = node == 0u ? last : node;
+    return;
+  }
+  uint node = queueFragment(pixel, fragment);
+  if (node != 0u)
+  {
+    heads[at] = node;
   }
 #else
   queueFragment(pixel, fragment);
