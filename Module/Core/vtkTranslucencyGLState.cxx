@@ -10,6 +10,17 @@
 #include "vtkOpenGLState.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// What was bound may be gone: VTK makes the buffers of a prop anew, and deletes those it has, when it draws it. OpenGL
+// binds 0 then.
+unsigned int BufferIfThere(int name)
+{
+  const auto buffer = static_cast<GLuint>(name);
+  return glIsBuffer(buffer) ? buffer : 0;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkTranslucencyGLState::vtkTranslucencyGLState(vtkOpenGLRenderWindow* window, bool storage)
   : Window(window)
@@ -81,20 +92,22 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
 {
   for (const BufferBinding& saved : this->IndexedBuffers)
   {
-    if (saved.Size > 0)
+    const unsigned int buffer = BufferIfThere(saved.Buffer);
+    if (buffer != 0 && saved.Size > 0)
     {
-      glBindBufferRange(saved.Target, saved.Index, static_cast<GLuint>(saved.Buffer),
-        static_cast<GLintptr>(saved.Start), static_cast<GLsizeiptr>(saved.Size));
+      glBindBufferRange(saved.Target, saved.Index, buffer, static_cast<GLintptr>(saved.Start),
+        static_cast<GLsizeiptr>(saved.Size));
     }
     else
     {
-      glBindBufferBase(saved.Target, saved.Index, static_cast<GLuint>(saved.Buffer));
+      glBindBufferBase(saved.Target, saved.Index, buffer);
     }
   }
-  glBindVertexArray(static_cast<GLuint>(this->VertexArray));
+  const auto vertexArray = static_cast<GLuint>(this->VertexArray);
+  glBindVertexArray(glIsVertexArray(vertexArray) ? vertexArray : 0);
   for (const auto& saved : this->Buffers)
   {
-    glBindBuffer(saved.first, static_cast<GLuint>(saved.second));
+    glBindBuffer(saved.first, BufferIfThere(saved.second));
   }
 
   vtkOpenGLState* state = this->Window->GetState();
@@ -105,7 +118,8 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
   (this->ProgramPointSize ? glEnable : glDisable)(GL_PROGRAM_POINT_SIZE); // the cache doesn't know it
   // The cache must forget its program before ours is put back behind its back.
   this->Window->GetShaderCache()->ReleaseCurrentShader();
-  glUseProgram(static_cast<GLuint>(this->Program));
+  const auto program = static_cast<GLuint>(this->Program);
+  glUseProgram(glIsProgram(program) ? program : 0);
   state->vtkglClearColor(this->ClearColor[0], this->ClearColor[1], this->ClearColor[2], this->ClearColor[3]);
   state->vtkglPointSize(this->PointSize);
   state->vtkglLineWidth(this->LineWidth);

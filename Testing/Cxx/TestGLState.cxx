@@ -6,7 +6,11 @@
 #include "RenderTest.h"
 #include "WatchedPass.h"
 
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkCommand.h>
 #include <vtkFragmentStorage.h>
+#include <vtkMapper.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkTranslucencyFactory.h>
@@ -14,6 +18,8 @@
 #include <vtkTranslucencyPass.h>
 #include <vtkTranslucencyStatistics.h>
 #include <vtkTranslucencyVTKVersion.h>
+
+#include <array>
 
 namespace
 {
@@ -241,6 +247,71 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFoundWhereListsAreLinkedAnew)
     view.SetTranslucentPass(watched);
     ExpectNothingChanges(view, watched, false);
     EXPECT_TRUE(vtkFragmentListPass::SafeDownCast(pass)->GetStorage()->GetLinks() != vtkFragmentStorage::Links::None);
+  }
+}
+
+namespace
+{
+/// Draws by another pass with something bound that is deleted while it draws, when VTK first meets a mapper.
+class DeletingPass : public WatchedPass
+{
+public:
+  static DeletingPass* New() { VTK_STANDARD_NEW_BODY(DeletingPass); }
+  vtkTypeMacro(DeletingPass, WatchedPass);
+
+  void Render(const vtkRenderState* state) override
+  {
+    const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+    const char* const source = "#version 430\nlayout(local_size_x = 1) in;\nvoid main() {}\n";
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    this->Program = glCreateProgram();
+    glAttachShader(this->Program, shader);
+    glLinkProgram(this->Program);
+    glDeleteShader(shader);
+    glUseProgram(this->Program);
+    glGenVertexArrays(1, &this->VertexArray);
+    glBindVertexArray(this->VertexArray);
+    glGenBuffers(static_cast<GLsizei>(this->Buffers.size()), this->Buffers.data());
+    glBindBuffer(GL_ARRAY_BUFFER, this->Buffers[0]);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Buffers[1]);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Buffers[2]);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, 64, nullptr, GL_STATIC_DRAW);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, this->Buffers[2], 0, 64);
+    this->Superclass::Render(state);
+  }
+
+  void DeleteBound()
+  {
+    glDeleteProgram(this->Program);
+    glDeleteVertexArrays(1, &this->VertexArray);
+    glDeleteBuffers(static_cast<GLsizei>(this->Buffers.size()), this->Buffers.data());
+    this->Deleted = true;
+  }
+
+  bool Deleted = false;
+
+private:
+  GLuint Program = 0;
+  GLuint VertexArray = 0;
+  std::array<GLuint, 3> Buffers{};
+};
+}
+
+TEST_F(TestGLStateOfTechniques, WhatIsDeletedMeanwhileIsNotBoundAgain)
+{
+  View view(RandomLayers(50, 40, 32, 6, 0.1, 0.5));
+  vtkNew<DeletingPass> deleting;
+  deleting->Pass = NewTechnique("exact");
+  view.SetTranslucentPass(deleting);
+  view.Renderer->GetActors()->GetLastActor()->GetMapper()->AddObserver(
+    vtkCommand::UpdateShaderEvent, deleting.Get(), &DeletingPass::DeleteBound);
+  view.Window->Render();
+  EXPECT_TRUE(deleting->Deleted);
+  EXPECT_EQ(deleting->ErrorsAfter, std::vector<std::string>());
+  for (const char* name : { "GL_ARRAY_BUFFER_BINDING", "GL_VERTEX_ARRAY_BINDING", "GL_CURRENT_PROGRAM" })
+  {
+    EXPECT_EQ(deleting->After[name], std::vector<double>{ 0 }) << name;
   }
 }
 
