@@ -100,6 +100,7 @@ bool vtkTranslucencyVolumes::PreReplaceShaderValues(
   // caster does to a whole ray's colour in the end.
   const std::string worker = "startSegments();\n"
                              "initializeRayCast();\n"
+                             "SET_RAY_END();\n"
                              "float front;\n"
                              "float back;\n"
                              "while (nextSegment(front, back))\n"

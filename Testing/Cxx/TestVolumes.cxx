@@ -439,12 +439,23 @@ TEST_P(TestRays, AreCastThroughInvisibleSurfacesAsWithout)
   vtkNew<vtkABufferPass> pass;
   view.SetPass(pass);
   const PictureDifference difference = Compare(alone, view.Render());
-  // With VTK 9.6 a pixel of what is clipped is off by 3, on llvmpipe and zink alike.
-  EXPECT_LE(difference.Largest, GetParam().Name == std::string("Clipped") ? 3 : 2) << difference;
+  EXPECT_LE(difference.Largest, 2) << difference;
   EXPECT_LE(difference.RootMeanSquare, 0.002) << difference;
   EXPECT_GE(pass->GetStatistics()->GetDeepestPixel(), 13);
   view.Renderer->RemoveAllViewProps();
   EXPECT_GT(Compare(alone, view.Render()).RootMeanSquare, 0.05) << "the volume is seen";
+}
+
+namespace
+{
+// Some rays then have a last sample that lies at their end, to rounding.
+void Clip(vtkGPUVolumeRayCastMapper* mapper, vtkVolume*)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0, 0, 0.1);
+  plane->SetNormal(0.4, 0.1, -0.8);
+  mapper->AddClippingPlane(plane);
+}
 }
 
 INSTANTIATE_TEST_SUITE_P(Casts, TestRays,
@@ -477,14 +488,7 @@ INSTANTIATE_TEST_SUITE_P(Casts, TestRays,
         mapper->SetFinalColorWindow(0.6f);
         mapper->SetFinalColorLevel(0.4f);
       } },
-    Cast{ "Clipped", { { 0.9, 0.7, 2.4 } }, false, 0,
-      [](auto* mapper, auto*)
-      {
-        vtkNew<vtkPlane> plane;
-        plane->SetOrigin(0, 0, 0.1);
-        plane->SetNormal(0.4, 0.1, -0.8);
-        mapper->AddClippingPlane(plane);
-      } },
+    Cast{ "Clipped", { { 0.9, 0.7, 2.4 } }, false, 0, Clip }, Cast{ "ClippedFromTheLeft", { { 0.15, 0.7, 2.56 } }, false, 0, Clip },
     Cast{ "Cropped", { { 0.9, 0.7, 2.4 } }, false, 0,
       [](auto* mapper, auto*)
       {

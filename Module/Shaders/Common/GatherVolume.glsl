@@ -17,7 +17,8 @@
 //
 // Needs: what the storage needs; RAY_FINDS_VALUES (1: isosurfaces, found between a sample and the one before it),
 // RAY_MEETS_PLANE (1: the ray has one sample, on a plane); the ray caster's declarations.
-// Gives: startSegments, nextSegment(front, back), START_RAY(front, back), storeSegment(color).
+// Gives: startSegments, SET_RAY_END (where the ray caster knows its ray), nextSegment(front, back), START_RAY(front, back),
+// storeSegment(color).
 #ifndef GatherVolume_glsl
 #define GatherVolume_glsl
 #include "Common/Gather.glsl"
@@ -38,6 +39,10 @@ uint segmentBefore; // at which it ends,
 uint segmentRest; // and the first one behind that
 float segmentFront;
 float segmentBack;
+float rayEnd; // in samples from the first one
+
+// Of the ray caster's own number, so that a sample that lies at the end, to rounding, is one here if it is one there.
+#define SET_RAY_END() rayEnd = g_terminatePointMax
 
 bool isOfRound()
 {
@@ -126,7 +131,7 @@ bool startRay(SampledRay ray, float front, float back)
   return plane >= first && (segmentBefore == NO_FRAGMENT || plane < ceil(samplesBefore(ray, back)));
 #else
   // Of the ray's last segment the ray caster knows the end: what is opaque, a clipping plane, or the volume's far side.
-  float toEnd = samplesTo(ray, ray.last) - first;
+  float toEnd = rayEnd - first;
   float samples = segmentBefore == NO_FRAGMENT ? toEnd + 1.0 : min(ceil(samplesBefore(ray, back)) - first, toEnd + 1.0);
   g_terminatePointMax = samples - 1.0; // it takes a sample before it looks
   // The ray caster takes the first sample of a ray without looking, too.
