@@ -95,8 +95,8 @@ vtkTranslucencyGLState::~vtkTranslucencyGLState()
     const unsigned int buffer = BufferIfThere(saved.Buffer);
     if (buffer != 0 && saved.Size > 0)
     {
-      glBindBufferRange(saved.Target, saved.Index, buffer, static_cast<GLintptr>(saved.Start),
-        static_cast<GLsizeiptr>(saved.Size));
+      glBindBufferRange(
+        saved.Target, saved.Index, buffer, static_cast<GLintptr>(saved.Start), static_cast<GLsizeiptr>(saved.Size));
     }
     else
     {

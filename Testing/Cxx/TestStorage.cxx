@@ -250,8 +250,8 @@ TEST_P(TestStorage, DrawsAsLinkedListsDoWithTransmissionColors)
     storage, Techniques[0], { { "color_format", samples > 1 ? "rgba8" : "half-float" } }, samples, true);
 }
 
-// Edges make the fragment shader another one. Where an opaque surface hides a part of it, a driver has lost fragments of
-// one storage.
+// Edges make the fragment shader another one. Where an opaque surface hides a part of it, a driver has lost fragments
+// of one storage.
 TEST_P(TestStorage, DrawsEdgesAsLinkedListsDo)
 {
   const auto& [storage, samples] = GetParam();

@@ -488,7 +488,8 @@ INSTANTIATE_TEST_SUITE_P(Casts, TestRays,
         mapper->SetFinalColorWindow(0.6f);
         mapper->SetFinalColorLevel(0.4f);
       } },
-    Cast{ "Clipped", { { 0.9, 0.7, 2.4 } }, false, 0, Clip }, Cast{ "ClippedFromTheLeft", { { 0.15, 0.7, 2.56 } }, false, 0, Clip },
+    Cast{ "Clipped", { { 0.9, 0.7, 2.4 } }, false, 0, Clip },
+    Cast{ "ClippedFromTheLeft", { { 0.15, 0.7, 2.56 } }, false, 0, Clip },
     Cast{ "Cropped", { { 0.9, 0.7, 2.4 } }, false, 0,
       [](auto* mapper, auto*)
       {

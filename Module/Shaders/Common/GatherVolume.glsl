@@ -17,8 +17,8 @@
 //
 // Needs: what the storage needs; RAY_FINDS_VALUES (1: isosurfaces, found between a sample and the one before it),
 // RAY_MEETS_PLANE (1: the ray has one sample, on a plane); the ray caster's declarations.
-// Gives: startSegments, SET_RAY_END (where the ray caster knows its ray), nextSegment(front, back), START_RAY(front, back),
-// storeSegment(color).
+// Gives: startSegments, SET_RAY_END (where the ray caster knows its ray), nextSegment(front, back),
+// START_RAY(front, back), storeSegment(color).
 #ifndef GatherVolume_glsl
 #define GatherVolume_glsl
 #include "Common/Gather.glsl"
