@@ -123,6 +123,9 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
   // OpenGL objects go with their context: where it is gone, or another has taken its place, nothing is left to delete.
   vtkOpenGLRenderWindow* owner = kept.Window;
   const bool alive = owner && kept.Context && owner->GetGenericContext() == kept.Context;
+  // VTK gives a context back with X, not with EGL and OSMesa. Without references, a window is about to go.
+  auto* asking = vtkOpenGLRenderWindow::SafeDownCast(window);
+  const bool givesBack = asking && asking != owner && asking->GetReferenceCount() > 0 && asking->IsCurrent();
   if (alive)
   {
     owner->PushContext();
@@ -145,6 +148,10 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
   if (alive)
   {
     owner->PopContext();
+  }
+  if (givesBack)
+  {
+    asking->MakeCurrent();
   }
 }
 
