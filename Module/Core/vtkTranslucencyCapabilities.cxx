@@ -128,6 +128,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::OfVersion(int major, in
   result.FindMissing(extensions);
   result.Renderer = "OpenGL " + std::to_string(major) + "." + std::to_string(minor);
   result.MaximumTargets = MostTargets; // OpenGL 3.0 promises 8
+  result.TextureUnits = 16;            // OpenGL 3.0 does, too
   return result;
 }
 
@@ -147,6 +148,7 @@ vtkTranslucencyCapabilities vtkTranslucencyCapabilities::Probe(vtkOpenGLRenderWi
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &drawn);
   glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attached);
   result.MaximumTargets = std::min({ drawn, attached, MostTargets });
+  glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &result.TextureUnits);
   for (const char* name :
     { "GL_INTEL_fragment_shader_ordering", "GL_NV_fragment_shader_interlock", "GL_ARB_fragment_shader_interlock" })
   {

@@ -49,6 +49,9 @@ struct VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyCapabilities
   std::string MissingForFetch;
   int MaximumTargets = 0;
 
+  /// Textures that a fragment shader can read: GL_MAX_TEXTURE_IMAGE_UNITS. OpenGL 3.3 promises 16.
+  int TextureUnits = 0;
+
   /// The extension by which a fragment shader can have a pixel to itself, in the order of drawing; empty if the driver
   /// has none.
   std::string Interlock;

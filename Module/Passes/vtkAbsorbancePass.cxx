@@ -16,6 +16,8 @@ namespace
 {
 const char* const BoundsDefines[] = { "ABSORBANCE_BOUNDS_FRAGMENTS", "ABSORBANCE_BOUNDS_PROPS" };
 constexpr int TermsOfVector = 4;
+constexpr int MostOutputs = 8; // of a drawing
+constexpr int TextureUnitsOfProps = 7; // for VTK's own textures, at least
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +94,18 @@ bool vtkAbsorbancePass::UsesStorage(const vtkTranslucencyCapabilities& capabilit
 }
 
 //------------------------------------------------------------------------------
+std::string vtkAbsorbancePass::FindMissing(const vtkTranslucencyCapabilities& capabilities) const
+{
+  const std::string missing = this->Superclass::FindMissing(capabilities);
+  const int units = this->GetTermVectors() + 1 + TextureUnitsOfProps;
+  const bool tooFew = !this->UsesStorage(capabilities) && units > capabilities.TextureUnits;
+  return missing.empty() && tooFew
+    ? std::to_string(units) + " texture units for " + this->Technique.Name + " " + std::to_string(this->Fineness) +
+      ", of which there are " + std::to_string(capabilities.TextureUnits)
+    : missing;
+}
+
+//------------------------------------------------------------------------------
 void vtkAbsorbancePass::RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
@@ -131,6 +145,12 @@ vtkTranslucencyFrame::Uniforms vtkAbsorbancePass::GetRange(const vtkTranslucency
 }
 
 //------------------------------------------------------------------------------
+int vtkAbsorbancePass::GetTermVectors() const
+{
+  return (this->GetTermCount() + TermsOfVector - 1) / TermsOfVector;
+}
+
+//------------------------------------------------------------------------------
 // Floats of each target; three take the room of four.
 std::vector<int> vtkAbsorbancePass::GetTermFormats() const
 {
@@ -146,21 +166,22 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
   const std::vector<int> formats = this->GetTermFormats();
   const int vectors = static_cast<int>(formats.size());
   vtkTranslucencyFrame::Gathering gathering{ std::string(this->Technique.Folder) + "/Gather.glsl", this->GetDefines(),
-    std::max(2, vectors) };
+    std::clamp(vectors, 2, MostOutputs) };
   gathering.Values["GATHER_OUTPUTS"] = std::to_string(gathering.Outputs);
 
   // One text reads all targets, each in the stage that needs it. In the others its sampler sees Colors, which is not
   // drawn to then: a sampler that sees nothing may meet one of another type at its unit.
-  const auto inputs = [&](const vtkTranslucencyTargets* bounds, const vtkTranslucencyTargets* terms)
+  const auto inputs = [&](bool bounds, bool terms)
   {
     std::vector<vtkTranslucencyFrame::Input> read;
     if (this->Bounds == Fragments)
     {
-      read.push_back({ "depthBounds", bounds ? bounds : &this->Colors, 0 });
+      read.push_back({ "depthBounds", bounds ? &this->DepthBounds : &this->Colors, 0 });
     }
     for (int i = 0; i < vectors; ++i)
     {
-      read.push_back({ "terms" + std::to_string(i), terms ? terms : &this->Colors, terms ? i : 0 });
+      read.push_back({ "terms" + std::to_string(i), terms ? &this->Terms[i / MostOutputs] : &this->Colors,
+        terms ? i % MostOutputs : 0 });
     }
     return read;
   };
@@ -170,28 +191,36 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
   bounds.Targets = &this->DepthBounds;
   bounds.Blend = Blending::Maximum;
   bounds.Clear = { { -2, -2, -2, -2 } };
-  bounds.Inputs = inputs(nullptr, nullptr);
-  vtkTranslucencyFrame::Stage terms;
-  terms.Number = 1;
-  terms.Targets = &this->Terms;
-  terms.Inputs = inputs(&this->DepthBounds, nullptr);
-  terms.Values = range;
+  bounds.Inputs = inputs(false, false);
   vtkTranslucencyFrame::Stage colors;
   colors.Number = 2;
   colors.Targets = &this->Colors;
   colors.Blend = Blending::AddAndAttenuate;
   colors.Clear = { { 0, 0, 0, 1 } };
-  colors.Inputs = inputs(&this->DepthBounds, &this->Terms);
+  colors.Inputs = inputs(true, true);
   colors.Values = range;
+
+  bool drawn = frame.UseTargets(this->Colors, { 4, 1 }) &&
+    (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds)));
+  for (int first = 0; first < vectors; first += MostOutputs)
+  {
+    vtkTranslucencyTargets& targets = this->Terms[first / MostOutputs];
+    vtkTranslucencyFrame::Stage terms;
+    terms.Number = first == 0 ? 1 : 3;
+    terms.Targets = &targets;
+    terms.Inputs = inputs(true, false);
+    terms.Values = range;
+    const auto begin = formats.begin() + first;
+    drawn = drawn && frame.UseTargets(targets, { begin, std::min(begin + MostOutputs, formats.end()) }) &&
+      frame.Draw(gathering, terms);
+  }
 
   std::vector<vtkTranslucencyFrame::Input> sums{ { "gatheredColors", &this->Colors, 0 } };
   if (this->AlphaCorrection)
   {
     sums.push_back({ "gatheredWeights", &this->Colors, 1 });
   }
-  return frame.UseTargets(this->Colors, { 4, 1 }) && frame.UseTargets(this->Terms, formats) &&
-    (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds))) &&
-    frame.Draw(gathering, terms) && frame.Draw(gathering, colors) &&
+  return drawn && frame.Draw(gathering, colors) &&
     frame.Composite("Common/CompositeColors.glsl", this->GetCorrection(), sums);
 }
 
@@ -225,15 +254,15 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkAbsorbancePass::GetTechniqueBytes()
 {
-  return this->Superclass::GetTechniqueBytes() + this->DepthBounds.GetBytes() + this->Terms.GetBytes() +
-    this->Colors.GetBytes();
+  return this->Superclass::GetTechniqueBytes() + this->DepthBounds.GetBytes() + this->Terms[0].GetBytes() +
+    this->Terms[1].GetBytes() + this->Colors.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkAbsorbancePass::ReleaseTechniqueResources(bool contextAlive)
 {
   this->Superclass::ReleaseTechniqueResources(contextAlive);
-  for (vtkTranslucencyTargets* targets : { &this->DepthBounds, &this->Terms, &this->Colors })
+  for (vtkTranslucencyTargets* targets : { &this->DepthBounds, &this->Terms[0], &this->Terms[1], &this->Colors })
   {
     targets->Release(contextAlive);
   }

@@ -7,7 +7,7 @@
  * The base of techniques that describe vis(z), the transmittance between the viewer and depth z, by a fixed number of
  * sums to which every fragment adds, whatever the order: Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency",
  * sections 2 and 4, where they are FOMT and OSMT. A subclass gives the shaders of the sums: vtkFourierOpacityPass,
- * vtkOpacityShadowMapPass.
+ * vtkOpacityShadowMapPass, vtkWaveletTransparencyPass.
  *
  * What adds up is absorbance, -ln(1 - opacity), at most ln(1024) a fragment: an opaque one hides what is behind it to a
  * quarter of 1/255. A fragment's own absorbance is taken out of the sums when it asks for its visibility, so that a
@@ -38,6 +38,8 @@
 
 #include "vtkTranslucencyTargets.h" // for DepthBounds, Terms, Colors
 #include "vtkVisibilityFunctionPass.h"
+
+#include <array>
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkAbsorbancePass : public vtkVisibilityFunctionPass
@@ -103,12 +105,13 @@ protected:
   void SetFineness(int number);
 
   /**
-   * The number of sums, 1 to 32.
+   * The number of sums, 1 to 32, or 64.
    */
   virtual int GetTermCount() const { return this->Fineness; }
 
   bool KeepsFragments() const override { return this->Superclass::KeepsFragments() && this->HasStorage; }
   bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
+  std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const override;
   void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass) override;
   bool RenderFixed(vtkTranslucencyFrame& frame) override;
   bool ResolveLists(vtkTranslucencyFrame& frame) override;
@@ -125,10 +128,11 @@ private:
   vtkTranslucencyFrame::Defines GetDefines() const;
   vtkTranslucencyFrame::Uniforms GetRange(const vtkTranslucencyFrame& frame) const;
   std::vector<int> GetTermFormats() const;
+  int GetTermVectors() const;
   vtkTranslucencyFrame::Defines GetCorrection() const;
 
   vtkTranslucencyTargets DepthBounds;
-  vtkTranslucencyTargets Terms;
+  std::array<vtkTranslucencyTargets, 2> Terms; // of a drawing each
   vtkTranslucencyTargets Colors;
   std::string Missing; // of storage that was warned of
 

@@ -15,6 +15,7 @@
 #include "vtkScreenDoorPass.h"
 #include "vtkSortedTransparencyPass.h"
 #include "vtkStochasticTransparencyPass.h"
+#include "vtkWaveletTransparencyPass.h"
 #include "vtkWeightedTransparencyPass.h"
 
 #include "vtkNew.h"
@@ -79,6 +80,8 @@ const Technique Techniques[] = {
     NewPass<vtkFourierOpacityPass> },
   { "shadowmap", "opacity shadow maps: visibility from absorbance in slices of equal depth, order does not matter",
     NewPass<vtkOpacityShadowMapPass> },
+  { "wavelet", "wavelet transparency: visibility from absorbance in Haar wavelets, order does not matter",
+    NewPass<vtkWaveletTransparencyPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
   { "sorted", "blending in the order of depth, of objects or their polygons: right where they don't interlock",

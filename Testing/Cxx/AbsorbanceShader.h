@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Module/Shaders/Fourier and OpacityShadowMap, compiled as C++: the text that the GPU runs, once for each number of
+ * Module/Shaders/Fourier, OpacityShadowMap and Wavelet, compiled as C++: the text that the GPU runs, once for each number of
  * terms that CMakeLists.txt lists and of channels.
  */
 #ifndef AbsorbanceShader_h
@@ -19,8 +19,8 @@ struct Absorber
 
 struct AbsorbanceVariant
 {
-  std::string Technique; // Fourier or Slices
-  int Terms;             // pairs of cosine and sine, or slices
+  std::string Technique; // Fourier, Slices or Wavelet
+  int Terms;             // pairs of cosine and sine, slices, or the rank
   int Channels;
   std::vector<float> (*GetVisibilities)(
     const std::vector<Absorber>&); // of each, in its last channel; what hides in the others is different

@@ -447,6 +447,17 @@ double SliceShare(int slices, double at, double before)
 }
 
 //------------------------------------------------------------------------------
+double WaveletShare(int rank, double at, double before)
+{
+  const int intervals = 2 << rank;
+  // Of the step at `at`, over an interval.
+  const auto mean = [=](int interval) { return interval < 0 ? 0.0 : std::clamp(interval + 1 - intervals * at, 0.0, 1.0); };
+  const int interval = std::min(static_cast<int>(intervals * before), intervals - 1);
+  const double passed = intervals * before - interval;
+  return (1 - passed) * mean(interval - 1) + passed * mean(interval);
+}
+
+//------------------------------------------------------------------------------
 Pixel CompositeAbsorbance(
   const std::vector<Fragment>& fragments, const Share& share, const std::vector<double>& range, bool corrected)
 {

@@ -119,6 +119,10 @@ double FourierShare(int coefficients, double at, double before);
 /// All, if the peak's slice lies before; within it, the part of the slice that does (Kim and Neumann 2001).
 double SliceShare(int slices, double at, double before);
 
+/// That of a step's means over 2^(rank + 1) intervals, from the one of the interval before to that of the own one
+/// (Aizenshtein, Smal, McGuire 2021, 2.3).
+double WaveletShare(int rank, double at, double before);
+
 /// Eq. 2 with the absorbance of all other fragments by their shares. Depths are relative to a range, or to that of the
 /// fragments if it is empty. Corrected: scaled so that the weights add up to what is hidden.
 Pixel CompositeAbsorbance(

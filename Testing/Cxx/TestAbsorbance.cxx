@@ -43,7 +43,10 @@ class TestAbsorbance : public testing::TestWithParam<AbsorbanceVariant>
 //------------------------------------------------------------------------------
 TEST_P(TestAbsorbance, IsThatOfTheReference)
 {
-  const auto share = GetParam().Technique == "Fourier" ? Reference::FourierShare : Reference::SliceShare;
+  const std::string technique = GetParam().Technique;
+  const auto share = technique == "Fourier" ? Reference::FourierShare
+    : technique == "Slices"                 ? Reference::SliceShare
+                                            : Reference::WaveletShare;
   for (unsigned int seed = 0; seed < 200; ++seed)
   {
     const Absorbers absorbers = RandomAbsorbers(seed, 1 + static_cast<int>(seed % 40), 0.01f, seed % 2 ? 0.3f : 1.0f);
@@ -91,7 +94,7 @@ TEST_P(TestAbsorbance, TransparentFragmentsChangeNothing)
 TEST_P(TestAbsorbance, OpaqueFragmentsHideWhatIsBehind)
 {
   const std::vector<float> visibilities = GetParam().GetVisibilities({ { 0.2f, 1.0f }, { 0.8f, 0.5f } });
-  if (GetParam().Terms >= 3)
+  if (GetParam().Terms >= 3 || GetParam().Technique == "Wavelet")
   {
     EXPECT_LT(visibilities[1], 1.0f / 255);
   }
@@ -111,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, TestAbsorbance, testing::ValuesIn(AbsorbanceV
 // More terms come nearer to the truth: mean distance from the exact visibility over many pixels.
 TEST(TestAbsorbanceOf, MoreTermsIsNearerToExact)
 {
-  for (const std::string technique : { "Fourier", "Slices" })
+  for (const std::string technique : { "Fourier", "Slices", "Wavelet" })
   {
     double last = 1;
     for (const AbsorbanceVariant& variant : AbsorbanceVariants())

@@ -33,6 +33,16 @@ uniform Target terms6;
 #if TERM_VECTORS > 7
 uniform Target terms7;
 #endif
+#if TERM_VECTORS > 8
+uniform Target terms8;
+uniform Target terms9;
+uniform Target terms10;
+uniform Target terms11;
+uniform Target terms12;
+uniform Target terms13;
+uniform Target terms14;
+uniform Target terms15;
+#endif
 
 void fetchTerms(ivec2 pixel, out Terms terms)
 {
@@ -57,6 +67,16 @@ void fetchTerms(ivec2 pixel, out Terms terms)
 #endif
 #if TERM_VECTORS > 7
   terms.sums[7] = fetchTarget(terms7, pixel);
+#endif
+#if TERM_VECTORS > 8
+  terms.sums[8] = fetchTarget(terms8, pixel);
+  terms.sums[9] = fetchTarget(terms9, pixel);
+  terms.sums[10] = fetchTarget(terms10, pixel);
+  terms.sums[11] = fetchTarget(terms11, pixel);
+  terms.sums[12] = fetchTarget(terms12, pixel);
+  terms.sums[13] = fetchTarget(terms13, pixel);
+  terms.sums[14] = fetchTarget(terms14, pixel);
+  terms.sums[15] = fetchTarget(terms15, pixel);
 #endif
 }
 

@@ -7,7 +7,7 @@
 // gatherStage
 // - 0, with ABSORBANCE_BOUNDS_FRAGMENTS: outputs[0] is (-depth, depth), of which blending keeps the largest: minus the
 //   nearest depth of the pixel, and the farthest.
-// - 1: outputs[i] is what the fragment adds to the terms.
+// - 1 and 3: outputs[i] is what the fragment adds to the terms, the first eight vectors of them and those behind.
 // - 2: outputs[0] is vis(z) * opacity * colour, with the opacity in alpha, by which blending multiplies the total
 //   transmittance; outputs[1] is vis(z) * opacity.
 //
@@ -37,9 +37,14 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
   Basis basis;
   basisAt(relativeDepth(z, range), basis);
   float absorbance = absorbanceOf(color.a);
-  if (gatherStage == 1)
+#define FIRST_OUTPUT(i) ((i) < GATHER_OUTPUTS ? (i) : (i) - GATHER_OUTPUTS)
+  if (gatherStage == 1 || gatherStage == 3)
   {
-#define WRITE_TERMS(i) outputs[i] = absorbance * basis.density[i];
+#define WRITE_TERMS(i) \
+    if ((i < GATHER_OUTPUTS) == (gatherStage == 1)) \
+    { \
+      outputs[FIRST_OUTPUT(i)] = absorbance * basis.density[i]; \
+    }
     EACH_VECTOR(WRITE_TERMS)
   }
   else if (gatherStage == 2)

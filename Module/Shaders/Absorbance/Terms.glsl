@@ -17,7 +17,7 @@
 //
 // Valid C++, too.
 //
-// Needs: TERM_VECTORS (1 to 8), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Terms, TermVector, spread,
+// Needs: TERM_VECTORS (1 to 8, or 16), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Terms, TermVector, spread,
 // integrate, weighted, absorbanceOf, relativeDepth, clearTerms.
 #ifndef Terms_glsl
 #define Terms_glsl

@@ -7,7 +7,7 @@
 // is not a constant does not stay in registers: each lane of a CPU's vector is then written by itself. That took two to
 // five times as long.
 //
-// Needs: VECTOR_COUNT (1 to 8).  Gives: EACH_VECTOR.
+// Needs: VECTOR_COUNT (1 to 8, or 16).  Gives: EACH_VECTOR.
 #ifndef EachVector_glsl
 #define EachVector_glsl
 #ifndef VECTOR_COUNT
@@ -28,8 +28,12 @@
 #define EACH_VECTOR(call) call(0) call(1) call(2) call(3) call(4) call(5)
 #elif VECTOR_COUNT == 7
 #define EACH_VECTOR(call) call(0) call(1) call(2) call(3) call(4) call(5) call(6)
-#else
+#elif VECTOR_COUNT == 8
 #define EACH_VECTOR(call) call(0) call(1) call(2) call(3) call(4) call(5) call(6) call(7)
+#else
+#define EACH_VECTOR(call) \
+  call(0) call(1) call(2) call(3) call(4) call(5) call(6) call(7) \
+  call(8) call(9) call(10) call(11) call(12) call(13) call(14) call(15)
 #endif
 
 #endif
