@@ -96,7 +96,7 @@ bool vtkTranslucencyMapperHook::Insert(std::string& fragmentShader, const std::s
   std::string call = this->Text.Call;
   vtkShaderProgram::Substitute(call, "GATHERED_DEPTH", depth);
   const std::string reject = std::string(tests ? "if (behindOpaque(gl_FragDepth)) { discard; }\n" : "") +
-    (this->Text.Rejects ? "rejectFragment(" + depth + ");\n" : "");
+    (this->Text.Rejects ? "if (rejectsFragment(" + depth + ")) { discard; }\n" : "");
 
   std::string text = fragmentShader;
   std::string error;
@@ -108,7 +108,7 @@ bool vtkTranslucencyMapperHook::Insert(std::string& fragmentShader, const std::s
   {
     return false;
   }
-  fragmentShader = this->Text.Fetches ? Shader::FreeOutputs(text) : text;
+  fragmentShader = Shader::LeaveAtDiscards(this->Text.Fetches ? Shader::FreeOutputs(text) : text);
   return true;
 }
 

@@ -39,7 +39,7 @@ public:
     std::string Call;     ///< where a fragment has been shaded; GATHERED_DEPTH stands for its depth
     bool Stores = false;  ///< whether it has effects besides the colours that it draws
     bool Fetches = false; ///< whether it fetches records, and draws them in the place of VTK's colour
-    bool Rejects = false; ///< whether it has rejectFragment, to be called before the fragment is shaded
+    bool Rejects = false; ///< whether it has rejectsFragment, to be asked before the fragment is shaded
   };
 
   /// The text, and what it was made from: mappers build their shaders anew when that changes.

@@ -210,6 +210,15 @@ std::string vtkTranslucencyShader::FreeOutputs(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTranslucencyShader::LeaveAtDiscards(const std::string& text)
+{
+  const std::size_t main = std::min(text.find("void main"), text.size()); // stands behind all other functions
+  std::string body = text.substr(main);
+  vtkShaderProgram::Substitute(body, "discard;", "{ discard; AFTER_DISCARD }");
+  return text.substr(0, main) + "#ifndef AFTER_DISCARD\n#define AFTER_DISCARD return;\n#endif\n" + body;
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyShader::SetUniforms(vtkShaderProgram* program, const Uniforms& uniforms)
 {
   for (const auto& uniform : uniforms)

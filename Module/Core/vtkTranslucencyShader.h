@@ -63,6 +63,12 @@ public:
   /// has all outputs to itself (Shaders/Common/PixelTargets.glsl).
   static std::string FreeOutputs(const std::string& text);
 
+  /// Makes every discard in the main function of a mapper's shader a return, too, or what AFTER_DISCARD stands for.
+  /// discard ends a shader there and then (GLSL 4.50, section 6.4), but a driver may let the invocation go on as a
+  /// helper, while gl_HelperInvocation is still false: what tries an atomic operation again never ends then
+  /// (Documentation/Drivers.md).
+  static std::string LeaveAtDiscards(const std::string& text);
+
 private:
   bool Append(const std::string& file, const std::string& includer, int line, bool conditional);
   bool Define(const Defines& defines, bool required, std::string& head);

@@ -31,7 +31,7 @@ struct vtkTranslucencyGathering
   int Outputs = 0;       ///< colours that are drawn to targets
   bool Critical = false; ///< whether it changes records of pixels under a critical section
   bool Rejects =
-    false; ///< whether File gives rejectFragment(depth), too, which discards fragments before they are shaded
+    false; ///< whether File gives rejectsFragment(depth), too: what it is true for is discarded before it is shaded
 };
 
 /// One drawing of the translucent props, or of the screen.

@@ -282,6 +282,22 @@ TEST_P(TestStorage, DrawsEdgesAsLinkedListsDo)
   EXPECT_EQ(pass->GetStatistics()->GetFragments(), expecting->GetStatistics()->GetFragments());
 }
 
+// Points that are drawn as spheres discard fragments, and set their depth.
+TEST_P(TestStorage, DrawsImpostorsAsLinkedListsDo)
+{
+  const auto& [storage, samples] = GetParam();
+  View view(240, 160, samples);
+  AddBall(view.Renderer, true, 100, 80, 0);
+  AddBall(view.Renderer, true, 140, 80, 0.1);
+  const auto expecting = New(LinkedList);
+  view.SetPass(expecting);
+  const Picture expected = view.Render();
+  const auto pass = New(storage);
+  view.SetPass(pass);
+  EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+  EXPECT_EQ(pass->GetStatistics()->GetDeepestPixel(), expecting->GetStatistics()->GetDeepestPixel());
+}
+
 // What shaders count, and what the closed forms expect from nothing but the histogram.
 TEST_P(TestStorage, CountsWhatTheClosedFormsSay)
 {

@@ -7,10 +7,11 @@
 // The extensions want the section's two ends in main, outside of any branch: that is where Core writes BEGIN_ and
 // END_CRITICAL_SECTION. Between them, what an earlier fragment of the pixel wrote to coherent memory is seen by the
 // later one: both ends are barriers for it, so no memoryBarrier is needed. Intel's section has no end: it lasts to the
-// end of the shader. A fragment may have been discarded before, which the extensions allow.
+// end of the shader. A fragment may have been discarded before, which the extensions allow; they don't allow a return,
+// and here nobody tries again (vtkTranslucencyShader::LeaveAtDiscards).
 //
 // Needs: nothing.  Gives: CRITICAL_MEMORY, CRITICAL_SECTION, BEGIN_CRITICAL_SECTION, END_CRITICAL_SECTION
-// (Spinlock.glsl says what they are).
+// (Spinlock.glsl says what they are), AFTER_DISCARD.
 #ifndef CriticalSection_glsl
 #define CriticalSection_glsl
 
@@ -29,6 +30,7 @@ layout(pixel_interlock_ordered) in;
 #error "CriticalSection/Interlock.glsl needs an extension that orders fragment shaders"
 #endif
 
+#define AFTER_DISCARD
 #define CRITICAL_MEMORY coherent
 #define CRITICAL_SECTION(pixel, statement) { statement; }
 

@@ -19,9 +19,8 @@
 //
 // Helper invocations, which only serve derivatives, write nothing and get undefined results from atomic operations:
 // they must not wait, so where a driver does not tell them there is no spin lock
-// (vtkTranslucencyCapabilities::MissingForRetries). A fragment that has been discarded is no such helper: discard ends
-// its shader there and then (GLSL 4.50, section 6.4), also before the lock, as a mapper's own shader does where nothing
-// is visible, and rejectFragment.
+// (vtkTranslucencyCapabilities::MissingForRetries). Fragments that have been discarded do not come here
+// (vtkTranslucencyShader::LeaveAtDiscards).
 //
 // Needs: pixelIndex (Common/Pixels.glsl), GL_ARB_ES3_1_compatibility.  Gives: CRITICAL_MEMORY, CRITICAL_SECTION,
 // BEGIN_CRITICAL_SECTION, END_CRITICAL_SECTION.

@@ -13,7 +13,7 @@
 // The tail is all that is between the bounds after the last layer: the sums of opacity * colour and of opacity, and the
 // product of 1 - opacity, in any order.
 //
-// Needs: PEEL_METHOD, TARGET_SAMPLES.  Gives: rejectFragment, gatherFragment; outputs 0: bounds, or in the tail the
+// Needs: PEEL_METHOD, TARGET_SAMPLES.  Gives: rejectsFragment, gatherFragment; outputs 0: bounds, or in the tail the
 // opacity, 1: front layer, or the tail's colour, 2: back layer.
 #ifndef PEEL_METHOD
 #error "Peel/Gather.glsl needs PEEL_METHOD"
@@ -31,17 +31,14 @@ uniform int gatherStage;
 uniform Target peelBounds;
 
 // What has been peeled, or has no depth (not a number).
-void rejectFragment(float depth)
+bool rejectsFragment(float depth)
 {
   vec2 bounds = fetchTarget(peelBounds, ivec2(gl_FragCoord.xy)).rg;
   bool left = depth >= -bounds.x;
 #if PEEL_METHOD == PEEL_DUAL
   left = left && depth <= bounds.y;
 #endif
-  if (!left)
-  {
-    discard;
-  }
+  return !left;
 }
 
 void gatherFragment(vec4 color, float depth, out vec4 outputs[PEEL_OUTPUTS])

@@ -9,12 +9,12 @@
 // fragment on, and the layer holds all of them. Which of them that is does not depend on the order in which depths
 // come; fragments of one depth are put over each other as they come.
 //
-// The limit only goes down while fragments come. So rejectFragment may read it without the critical section: an older
+// The limit only goes down while fragments come. So rejectsFragment may read it without the critical section: an older
 // value is behind the newer one, and rejects nothing that the newer one would take. begin doesn't change.
 // What is discarded there doesn't come to the critical section (CriticalSection/Spinlock.glsl).
 //
 // Needs: BUCKETS, BUCKET_SIZE, PEEL_TAIL (whether what is left is averaged), SAMPLES, TRANSMITTANCE_CHANNELS.  Gives:
-// rejectFragment, gatherFragment.
+// rejectsFragment, gatherFragment.
 #ifndef PEEL_TAIL
 #error "Peel/GatherBuckets.glsl needs PEEL_TAIL"
 #endif
@@ -29,7 +29,7 @@ bool isLeft(PixelRecord record, float depth)
 }
 
 // What has been peeled, or has to wait.
-void rejectFragment(float depth)
+bool rejectsFragment(float depth)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   bool left = false;
@@ -41,10 +41,7 @@ void rejectFragment(float depth)
       left = left || (((coverage >> uint(index)) & 1u) != 0u && isLeft(pixelRecord(pixel, index), depth));
     }
   }
-  if (!left)
-  {
-    discard;
-  }
+  return !left;
 }
 
 #if PEEL_TAIL

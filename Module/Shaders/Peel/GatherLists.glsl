@@ -8,8 +8,9 @@
 // The tail is all that is left of a pixel that has given PEEL_LAYERS layers: the sums of opacity * colour and of
 // opacity, and the product of 1 - opacity, in any order.
 //
-// Needs: PEEL_SIDES, PEEL_LAYERS (the most to peel, 0 for all), TARGET_SAMPLES.  Gives: rejectFragment, gatherFragment;
-// outputs 0 and 1: buckets, or in the tail the opacity; 2 to 7: listed layers, of which 2 is the tail's colour.
+// Needs: PEEL_SIDES, PEEL_LAYERS (the most to peel, 0 for all), TARGET_SAMPLES.  Gives: rejectsFragment,
+// gatherFragment; outputs 0 and 1: buckets, or in the tail the opacity; 2 to 7: listed layers, of which 2 is the
+// tail's colour.
 #ifndef PEEL_LAYERS
 #error "Peel/GatherLists.glsl needs PEEL_LAYERS"
 #endif
@@ -23,7 +24,7 @@ uniform Target firstList;
 uniform Target secondList;
 
 // What has been peeled, or has no depth (not a number).
-void rejectFragment(float depth)
+bool rejectsFragment(float depth)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   bool left = depth >= fetchTarget(firstList, pixel).a;
@@ -33,10 +34,7 @@ void rejectFragment(float depth)
   bool all = fetchTarget(secondList, pixel).a >= float(PEEL_LAYERS);
   left = left && all == (gatherStage == PEEL_STAGE_TAIL);
 #endif
-  if (!left)
-  {
-    discard;
-  }
+  return !left;
 }
 
 void gatherFragment(vec4 color, float depth, out vec4 outputs[PEEL_OUTPUTS])
