@@ -41,6 +41,41 @@ class TestAbsorbance : public testing::TestWithParam<AbsorbanceVariant>
 };
 
 //------------------------------------------------------------------------------
+// Of as many layers as a distribution can have that the moments tell from all others.
+TEST(TestMoments, FewLayersAreExact)
+{
+  for (const AbsorbanceVariant& variant : AbsorbanceVariants())
+  {
+    const bool power = variant.Technique == "Moment";
+    if (!power && variant.Technique != "Trigonometric")
+    {
+      continue;
+    }
+    double worst = 0, sum = 0; int n = 0;
+    const int most = (power ? variant.Terms / 2 : variant.Terms) + 1;
+    for (unsigned int seed = 0; seed < 300; ++seed)
+    {
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+      Absorbers absorbers;
+      const int count = 1 + static_cast<int>(seed) % most;
+      for (int i = 0; i < count; ++i)
+      {
+        absorbers.push_back({ (i + 0.2f + 0.6f * uniform(random)) / count, 0.05f + 0.94f * uniform(random) });
+      }
+      const auto visibilities = variant.GetVisibilities(absorbers);
+      double exact = 1;
+      for (int i = 0; i < count; ++i)
+      {
+        worst = std::max(worst, std::abs(visibilities[i] - exact)); sum += std::abs(visibilities[i] - exact); ++n;
+        exact *= 1 - absorbers[i].Alpha;
+      }
+    }
+    std::printf("%s %d %d: worst %g mean %g\n", variant.Technique.c_str(), variant.Terms, variant.Channels, worst, sum / n);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_P(TestAbsorbance, IsThatOfTheReference)
 {
   const std::string technique = GetParam().Technique;

@@ -36,6 +36,7 @@
 #include "Absorbance/Terms.glsl"
 
 #define MOMENT_ZEROS (MOMENTS / 2)
+#include "Moment/Zeros.glsl"
 
 struct Basis
 {
@@ -142,80 +143,6 @@ vec4 polynomialsAt(INOUT(Polynomials) p, float x)
   return values;
 }
 
-// The zeros of t^2 + b t + c, which are real.
-vec2 zerosOfSquare(float b, float c)
-{
-  float middle = 0.5f * b;
-  float root = sqrt(max(middle * middle - c, 0.0f));
-  float larger = -(middle + (middle < 0.0f ? -root : root));
-  return vec2(larger, larger != 0.0f ? c / larger : 0.0f);
-}
-
-// The same of t^3 + a t^2 + b t + c, by cosines of a third of an angle.
-vec3 zerosOfCube(float a, float b, float c)
-{
-  float middle = a * (1.0f / 3.0f);
-  float square = max(middle * middle - b * (1.0f / 3.0f), 0.0f);
-  float radius = sqrt(square);
-  float cube = square * radius;
-  float product = middle * middle * middle + 0.5f * (c - middle * b);
-  float third = acos(cube > 0.0f ? clamp(product / cube, -1.0f, 1.0f) : 0.0f) * (1.0f / 3.0f);
-  vec3 cosines = vec3(cos(third), cos(third + 2.0943951f), cos(third - 2.0943951f));
-  return -2.0f * radius * cosines - vec3(middle);
-}
-
-#if MOMENTS == 4
-#define Zeros vec2
-Zeros zerosOf(vec4 c)
-{
-  return zerosOfSquare(c.x, c.y);
-}
-#elif MOMENTS == 6
-#define Zeros vec3
-Zeros zerosOf(vec4 c)
-{
-  vec3 t = zerosOfCube(c.x, c.y, c.z);
-  // Newton's step, to where the slope is not lost in rounding.
-  vec3 value = ((t + vec3(c.x)) * t + vec3(c.y)) * t + vec3(c.z);
-  vec3 slope = (3.0f * t + vec3(2.0f * c.x)) * t + vec3(c.y);
-  return t - vec3(slope.x != 0.0f ? value.x / slope.x : 0.0f, slope.y != 0.0f ? value.y / slope.y : 0.0f,
-               slope.z != 0.0f ? value.z / slope.z : 0.0f);
-}
-#else
-#define Zeros vec4
-
-// Nearer to the zeros of a polynomial, all at once and never two to one (Aberth 1973).
-float approachZero(vec4 c, float t, float u, float v, float w)
-{
-  float value = (((t + c.x) * t + c.y) * t + c.z) * t + c.w;
-  float slope = ((4.0f * t + 3.0f * c.x) * t + 2.0f * c.y) * t + c.z;
-  float others = (t != u ? 1.0f / (t - u) : 0.0f) + (t != v ? 1.0f / (t - v) : 0.0f) + (t != w ? 1.0f / (t - w) : 0.0f);
-  float rest = slope - value * others;
-  return rest != 0.0f ? t - value / rest : t;
-}
-
-// Ferrari's way: two squares, from the largest zero of the resolvent.
-Zeros zerosOf(vec4 c)
-{
-  float middle = 0.25f * c.x;
-  float square = middle * middle;
-  float p = c.y - 6.0f * square;
-  float q = c.z - 2.0f * middle * c.y + 8.0f * square * middle;
-  float r = c.w - middle * c.z + square * c.y - 3.0f * square * square;
-  vec3 resolvent = zerosOfCube(2.0f * p, p * p - 4.0f * r, -q * q);
-  float largest = max(max(resolvent.x, max(resolvent.y, resolvent.z)), 0.0f);
-  float root = sqrt(largest);
-  float part = root > 0.0f ? q / root : 0.0f;
-  Zeros t = Zeros(zerosOfSquare(root, 0.5f * (p + largest - part)), zerosOfSquare(-root, 0.5f * (p + largest + part))) -
-    Zeros(middle);
-  t.x = approachZero(c, t.x, t.y, t.z, t.w);
-  t.y = approachZero(c, t.y, t.x, t.z, t.w);
-  t.z = approachZero(c, t.z, t.x, t.y, t.w);
-  t.w = approachZero(c, t.w, t.x, t.y, t.z);
-  return t;
-}
-#endif
-
 // What all but a fragment have in front of z, from their moments. total is what it has absorbed itself, too: by that
 // much the moments are rounded.
 float absorbanceBefore(vec4 low, vec4 high, float last, float total, float z)
@@ -281,21 +208,7 @@ float absorbanceBefore(vec4 low, vec4 high, float last, float total, float z)
 #endif
 #define LAST_VECTOR (TERM_VECTORS - 1)
 
-#if TRANSMITTANCE_CHANNELS == 3
-#define MOMENTS_LEFT(i, channel) (terms.sums[i][channel] - absorbance[channel] * basis.density[i])
-#define BEFORE(channel) absorbanceBefore(MOMENTS_LEFT(0, channel), MOMENTS_LEFT(1, channel), \
-  LAST_OF(MOMENTS_LEFT(LAST_VECTOR, channel)), terms.sums[0][channel].x, basis.depth)
-Channels absorbanceInFront(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
-{
-  return Channels(BEFORE(0), BEFORE(1), BEFORE(2));
-}
-#else
-#define MOMENTS_LEFT(i) (terms.sums[i] - absorbance * basis.density[i])
-Channels absorbanceInFront(INOUT(Terms) terms, INOUT(Basis) basis, Channels absorbance)
-{
-  return absorbanceBefore(
-    MOMENTS_LEFT(0), MOMENTS_LEFT(1), LAST_OF(MOMENTS_LEFT(LAST_VECTOR)), terms.sums[0].x, basis.depth);
-}
-#endif
+#define PLACE_OF(basis) (basis).depth
+#include "Moment/InFront.glsl"
 
 #endif
