@@ -133,9 +133,8 @@ void vtkTranslucencyPass::ReleaseGraphicsResources(vtkWindow* window)
   this->ReleaseTechniqueResources(alive);
   // VTK's passes want their window, also one that is about to go and has lost its weak pointers: not all that they have
   // follows it.
-  for (vtkRenderPass* pass : { static_cast<vtkRenderPass*>(this->TranslucentPass), this->VolumetricPass,
-         static_cast<vtkRenderPass*>(this->Internal->Other), static_cast<vtkRenderPass*>(this->Internal->Peeling),
-         static_cast<vtkRenderPass*>(this->Internal->Steps) })
+  for (vtkRenderPass* pass : std::initializer_list<vtkRenderPass*>{ this->TranslucentPass, this->VolumetricPass,
+         this->Internal->Other, this->Internal->Peeling, this->Internal->Steps })
   {
     if (pass && window)
     {

@@ -221,6 +221,19 @@ void ExpectSamePictures(
     }
   }
 }
+
+// One exact frame of whatever is in the view: picture and counts.
+void ExpectSameAsInLinkedLists(View& view, const Storage& storage)
+{
+  const auto expecting = New(LinkedList);
+  view.SetPass(expecting);
+  const Picture expected = view.Render();
+  const auto pass = New(storage);
+  view.SetPass(pass);
+  EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
+  EXPECT_EQ(pass->GetStatistics()->GetFragments(), expecting->GetStatistics()->GetFragments());
+  EXPECT_EQ(pass->GetStatistics()->GetDeepestPixel(), expecting->GetStatistics()->GetDeepestPixel());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -273,13 +286,7 @@ TEST_P(TestStorage, DrawsEdgesAsLinkedListsDo)
   property->EdgeVisibilityOn();
   property->SetEdgeColor(1, 1, 1);
   property->SetLineWidth(2);
-  const auto expecting = New(LinkedList);
-  view.SetPass(expecting);
-  const Picture expected = view.Render();
-  const auto pass = New(storage);
-  view.SetPass(pass);
-  EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
-  EXPECT_EQ(pass->GetStatistics()->GetFragments(), expecting->GetStatistics()->GetFragments());
+  ExpectSameAsInLinkedLists(view, storage);
 }
 
 // Points that are drawn as spheres discard fragments, and set their depth.
@@ -289,13 +296,7 @@ TEST_P(TestStorage, DrawsImpostorsAsLinkedListsDo)
   View view(240, 160, samples);
   AddBall(view.Renderer, true, 100, 80, 0);
   AddBall(view.Renderer, true, 140, 80, 0.1);
-  const auto expecting = New(LinkedList);
-  view.SetPass(expecting);
-  const Picture expected = view.Render();
-  const auto pass = New(storage);
-  view.SetPass(pass);
-  EXPECT_EQ(Compare(view.Render(), expected).Largest, 0);
-  EXPECT_EQ(pass->GetStatistics()->GetDeepestPixel(), expecting->GetStatistics()->GetDeepestPixel());
+  ExpectSameAsInLinkedLists(view, storage);
 }
 
 // What shaders count, and what the closed forms expect from nothing but the histogram.

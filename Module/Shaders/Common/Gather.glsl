@@ -18,9 +18,12 @@ void gatherFragment(vec4 color, float depth)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depthExtent = fwidth(depth);
-  if (inTile(pixel))
+  // An invocation that covers nothing, since all its samples are hidden, must not get to what reads and writes there: a
+  // driver may let it run without that, and undefined values spread to its neighbours (Documentation/Drivers.md).
+  uint coverage = coveredSamples();
+  if (inTile(pixel) && coverage != 0u)
   {
-    storeFragment(pixel, Fragment(depth, packColor(color), coveredSamples()), depthExtent);
+    storeFragment(pixel, Fragment(depth, packColor(color), coverage), depthExtent);
   }
 }
 
