@@ -276,13 +276,13 @@ bool vtkTranslucencyFrame::FetchesRecords() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats)
+bool vtkTranslucencyFrame::UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats, bool halves)
 {
   this->Tiles.UseWholeViewport();
   std::vector<vtkTranslucencyTargets::Format> floats;
   for (int format : formats)
   {
-    floats.push_back(vtkTranslucencyTargets::Floats(format));
+    floats.push_back(halves ? vtkTranslucencyTargets::Halves(format) : vtkTranslucencyTargets::Floats(format));
   }
   const Rectangle& viewport = this->GetViewport();
   if (!targets.Reserve(

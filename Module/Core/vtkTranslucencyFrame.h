@@ -92,8 +92,8 @@ public:
   /// Whether the records last asked for lie in colours.
   bool FetchesRecords() const;
 
-  /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each.
-  bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats);
+  /// Makes targets as large as the framebuffer; formats are floats a pixel, 1, 2 or 4 each, of 32 bits or of 16.
+  bool UseTargets(vtkTranslucencyTargets& targets, const std::vector<int>& formats, bool halves = false);
 
   /// Makes a table of words, row by row, that stages can read as an input: a usampler2D.
   bool UseTable(vtkTranslucencyTargets& table, int columns, const std::vector<unsigned int>& words);

@@ -21,6 +21,7 @@ struct Texels
   GLenum Pixels;
   GLenum Type;
   int Components;
+  int Bytes = 4; // of a component
 };
 
 Texels GetTexels(vtkTranslucencyTargets::Format format)
@@ -32,6 +33,12 @@ Texels GetTexels(vtkTranslucencyTargets::Format format)
       return { GL_R32F, GL_RED, GL_FLOAT, 1 };
     case Format::Float2:
       return { GL_RG32F, GL_RG, GL_FLOAT, 2 };
+    case Format::Half1:
+      return { GL_R16F, GL_RED, GL_FLOAT, 1, 2 };
+    case Format::Half2:
+      return { GL_RG16F, GL_RG, GL_FLOAT, 2, 2 };
+    case Format::Half4:
+      return { GL_RGBA16F, GL_RGBA, GL_FLOAT, 4, 2 };
     case Format::Word1:
       return { GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1 };
     case Format::Word2:
@@ -82,6 +89,12 @@ GLenum FindDepthFormat(GLenum type, GLuint depth, GLint level, bool several)
 vtkTranslucencyTargets::Format vtkTranslucencyTargets::Floats(int count)
 {
   return count == 1 ? Format::Float1 : count == 2 ? Format::Float2 : Format::Float4;
+}
+
+//------------------------------------------------------------------------------
+vtkTranslucencyTargets::Format vtkTranslucencyTargets::Halves(int count)
+{
+  return count == 1 ? Format::Half1 : count == 2 ? Format::Half2 : Format::Half4;
 }
 
 //------------------------------------------------------------------------------
@@ -308,17 +321,14 @@ unsigned int vtkTranslucencyTargets::GetTarget() const
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyTargets::GetBytes() const
 {
-  vtkTypeInt64 words = 0;
+  constexpr vtkTypeInt64 bytesOfDepth = 4;
+  vtkTypeInt64 bytes = this->Depth != 0 ? bytesOfDepth : 0;
   for (Format format : this->Formats)
   {
-    words += GetTexels(format).Components;
+    const Texels texels = GetTexels(format);
+    bytes += texels.Components * texels.Bytes;
   }
-  if (this->Depth != 0)
-  {
-    ++words; // depths take as much
-  }
-  constexpr vtkTypeInt64 bytesOfWord = 4;
-  return words * bytesOfWord * this->Width * this->Height * this->Samples;
+  return bytes * this->Width * this->Height * this->Samples;
 }
 
 //------------------------------------------------------------------------------

@@ -30,12 +30,15 @@ class vtkOpenGLRenderWindow;
 class VTKRENDERINGTRANSLUCENCY_EXPORT vtkTranslucencyTargets
 {
 public:
-  /// 32-bit floats, or unsigned integers, a pixel and sample.
+  /// 32-bit floats, 16-bit ones, or unsigned integers of 32 bits, a pixel and sample.
   enum class Format
   {
     Float1,
     Float2,
     Float4,
+    Half1,
+    Half2,
+    Half4,
     Word1,
     Word2,
     Word4
@@ -43,6 +46,7 @@ public:
 
   /// The format of this many floats or words: 1, 2 or 4.
   static Format Floats(int count);
+  static Format Halves(int count);
   static Format Words(int count);
 
   vtkTranslucencyTargets() = default;

@@ -3,7 +3,6 @@
 #include "vtkAbsorbancePass.h"
 
 #include "vtkTranslucencyCapabilities.h"
-#include "vtkTranslucencyOption.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
@@ -15,14 +14,16 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 const char* const BoundsDefines[] = { "ABSORBANCE_BOUNDS_FRAGMENTS", "ABSORBANCE_BOUNDS_PROPS" };
+const char* const Precisions[] = { "TERM_PRECISION_SINGLE", "TERM_PRECISION_HALF" };
+const char* const DepthWarps[] = { "DEPTH_WARP_LINEAR", "DEPTH_WARP_LOGARITHMIC" };
 constexpr int TermsOfVector = 4;
-constexpr int MostOutputs = 8; // of a drawing
+constexpr int MostOutputs = 8;         // of a drawing
 constexpr int TextureUnitsOfProps = 7; // for VTK's own textures, at least
 }
 
 //------------------------------------------------------------------------------
 vtkAbsorbancePass::vtkAbsorbancePass(const Sums& sums)
-  : Fineness(sums.Default)
+  : Number(static_cast<int>(sums.Number.Default))
   , Technique(sums)
 {
 }
@@ -37,22 +38,36 @@ vtkAbsorbancePass::~vtkAbsorbancePass()
 void vtkAbsorbancePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << this->Technique.Name << ": " << this->Fineness << "\n";
+  os << indent << this->Technique.Number.Name << ": " << this->Technique.Number.Format(this->Number) << "\n";
   os << indent << "Bounds: " << BoundsDefines[this->Bounds] << "\n";
+  os << indent << "Precision: " << Precisions[this->Precision] << "\n";
+  os << indent << "DepthWarp: " << DepthWarps[this->DepthWarp] << "\n";
   os << indent << "AlphaCorrection: " << this->AlphaCorrection << "\n";
 }
 
 //------------------------------------------------------------------------------
-void vtkAbsorbancePass::SetFineness(int number)
+void vtkAbsorbancePass::SetSums(int number)
 {
   vtkTranslucencyOption::SetProperty(
-    this, vtkAbsorbancePass::GetOptions(), this->Technique.Name, this->Fineness, number);
+    this, vtkAbsorbancePass::GetOptions(), this->Technique.Number.Name.c_str(), this->Number, number);
 }
 
 //------------------------------------------------------------------------------
 void vtkAbsorbancePass::SetBounds(int bounds)
 {
   vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), "Bounds", this->Bounds, bounds);
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::SetPrecision(int precision)
+{
+  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), "Precision", this->Precision, precision);
+}
+
+//------------------------------------------------------------------------------
+void vtkAbsorbancePass::SetDepthWarp(int warp)
+{
+  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), "DepthWarp", this->DepthWarp, warp);
 }
 
 //------------------------------------------------------------------------------
@@ -66,20 +81,25 @@ void vtkAbsorbancePass::SetAlphaCorrection(bool correction)
 std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
 {
   using Kind = vtkTranslucencyOption::Kind;
-  std::vector<vtkTranslucencyOption> options{
-    { this->Technique.Name, this->Technique.Keyword, Kind::Integer, static_cast<double>(this->Technique.Default), 1,
-      static_cast<double>(this->Technique.Most), {}, this->Technique.Help, [this] { return this->Fineness; },
-      [this](double value) { this->SetFineness(static_cast<int>(value)); } },
-    this->GetMemoryOption(),
+  vtkTranslucencyOption number = this->Technique.Number;
+  number.Get = [this] { return this->Number; };
+  number.Set = [this](double value) { this->SetSums(static_cast<int>(value)); };
+  std::vector<vtkTranslucencyOption> options{ number, this->GetMemoryOption(),
     { "Bounds", "bounds", Kind::Choice, Fragments, 0, 1, { "fragments", "props" },
       "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, "
       "or that of all props",
       [this] { return this->GetBounds(); }, [this](double value) { this->SetBounds(static_cast<int>(value)); } },
+    { "Precision", "precision", Kind::Choice, Single, 0, 1, { "single", "half" },
+      "the floats in which memory fixed holds the sums: of 32 bits, or of 16, which take half the memory and are "
+      "coarser",
+      [this] { return this->GetPrecision(); }, [this](double value) { this->SetPrecision(static_cast<int>(value)); } },
+    { "DepthWarp", "depth_warp", Kind::Choice, Linear, 0, 1, { "linear", "logarithmic" },
+      "how depths are spread over that range: evenly, or near ones farther apart, in perspectives",
+      [this] { return this->GetDepthWarp(); }, [this](double value) { this->SetDepthWarp(static_cast<int>(value)); } },
     { "AlphaCorrection", "alpha_correction", Kind::Choice, 1, 0, 1, { "off", "on" },
       "on scales colours so that the weights of a pixel's fragments add up to what they hide",
       [this] { return this->GetAlphaCorrection() ? 1 : 0; },
-      [this](double value) { this->SetAlphaCorrection(value != 0); } }
-  };
+      [this](double value) { this->SetAlphaCorrection(value != 0); } } };
   for (const vtkTranslucencyOption& option : this->Superclass::GetOptions())
   {
     options.push_back(option);
@@ -99,10 +119,9 @@ std::string vtkAbsorbancePass::FindMissing(const vtkTranslucencyCapabilities& ca
   const std::string missing = this->Superclass::FindMissing(capabilities);
   const int units = this->GetTermVectors() + 1 + TextureUnitsOfProps;
   const bool tooFew = !this->UsesStorage(capabilities) && units > capabilities.TextureUnits;
-  return missing.empty() && tooFew
-    ? std::to_string(units) + " texture units for " + this->Technique.Name + " " + std::to_string(this->Fineness) +
-      ", of which there are " + std::to_string(capabilities.TextureUnits)
-    : missing;
+  return missing.empty() && tooFew ? std::to_string(units) + " texture units for " + this->Technique.Number.Name + " " +
+      this->Technique.Number.Format(this->Number) + ", of which there are " + std::to_string(capabilities.TextureUnits)
+                                   : missing;
 }
 
 //------------------------------------------------------------------------------
@@ -110,19 +129,30 @@ void vtkAbsorbancePass::RenderTranslucent(const vtkRenderState* state, vtkRender
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
   const std::string missing = window ? this->GetCapabilities(window).MissingForStorage : "";
-  if (this->Memory == Variable && !missing.empty() && this->Missing != missing)
+  std::string warning;
+  if (this->Memory == Variable && !missing.empty())
   {
-    vtkWarningMacro(<< "the driver lacks " << missing
-                    << ", which Memory Variable (0) needs; drawing as with Fixed (1)");
-    this->Missing = missing;
+    warning = "the driver lacks " + missing + ", which Memory Variable (0) needs; drawing as with Fixed (1)";
   }
+  else if (this->Memory == Variable && this->Precision != Single)
+  {
+    warning = "Precision is Half (1), but Memory is Variable (0), which has the sums in registers: expected Memory "
+              "Fixed (1), or Precision Single (0)";
+  }
+  if (!warning.empty() && warning != this->Warning)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  this->Warning = warning;
   this->Superclass::RenderTranslucent(state, volumetricPass);
 }
 
 //------------------------------------------------------------------------------
-vtkTranslucencyFrame::Defines vtkAbsorbancePass::GetDefines() const
+vtkTranslucencyFrame::Defines vtkAbsorbancePass::GetDefines(int precision) const
 {
-  vtkTranslucencyFrame::Defines defines{ { this->Technique.Define, std::to_string(this->Fineness) } };
+  vtkTranslucencyFrame::Defines defines{ { this->Technique.Define, std::to_string(this->Number) } };
+  defines["TERM_PRECISION"] = Precisions[precision];
+  defines["DEPTH_WARP"] = DepthWarps[this->DepthWarp];
   defines["ABSORBANCE_BOUNDS"] = BoundsDefines[this->Bounds];
   return defines;
 }
@@ -134,7 +164,7 @@ vtkTranslucencyFrame::Defines vtkAbsorbancePass::GetCorrection() const
 }
 
 //------------------------------------------------------------------------------
-vtkTranslucencyFrame::Uniforms vtkAbsorbancePass::GetRange(const vtkTranslucencyFrame& frame) const
+vtkTranslucencyFrame::Uniforms vtkAbsorbancePass::GetValues(const vtkTranslucencyFrame& frame) const
 {
   if (this->Bounds == Fragments)
   {
@@ -165,7 +195,7 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
 {
   const std::vector<int> formats = this->GetTermFormats();
   const int vectors = static_cast<int>(formats.size());
-  vtkTranslucencyFrame::Gathering gathering{ std::string(this->Technique.Folder) + "/Gather.glsl", this->GetDefines(),
+  vtkTranslucencyFrame::Gathering gathering{ this->Technique.Folder + "/Gather.glsl", this->GetDefines(this->Precision),
     std::clamp(vectors, 2, MostOutputs) };
   gathering.Values["GATHER_OUTPUTS"] = std::to_string(gathering.Outputs);
 
@@ -186,7 +216,7 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
     return read;
   };
   using Blending = vtkTranslucencyFrame::Blending;
-  const vtkTranslucencyFrame::Uniforms range = this->GetRange(frame);
+  const vtkTranslucencyFrame::Uniforms values = this->GetValues(frame);
   vtkTranslucencyFrame::Stage bounds;
   bounds.Targets = &this->DepthBounds;
   bounds.Blend = Blending::Maximum;
@@ -198,7 +228,7 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
   colors.Blend = Blending::AddAndAttenuate;
   colors.Clear = { { 0, 0, 0, 1 } };
   colors.Inputs = inputs(true, true);
-  colors.Values = range;
+  colors.Values = values;
 
   bool drawn = frame.UseTargets(this->Colors, { 4, 1 }) &&
     (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds)));
@@ -209,9 +239,10 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
     terms.Number = first == 0 ? 1 : 3;
     terms.Targets = &targets;
     terms.Inputs = inputs(true, false);
-    terms.Values = range;
+    terms.Values = values;
     const auto begin = formats.begin() + first;
-    drawn = drawn && frame.UseTargets(targets, { begin, std::min(begin + MostOutputs, formats.end()) }) &&
+    drawn = drawn &&
+      frame.UseTargets(targets, { begin, std::min(begin + MostOutputs, formats.end()) }, this->Precision == Half) &&
       frame.Draw(gathering, terms);
   }
 
@@ -227,10 +258,10 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
 {
-  vtkTranslucencyFrame::Defines defines = this->GetDefines();
+  vtkTranslucencyFrame::Defines defines = this->GetDefines(Single);
   defines.merge(this->GetCorrection());
-  const vtkTranslucencyFrame::Uniforms range = this->GetRange(frame);
-  const std::string folder = this->Technique.Folder;
+  const vtkTranslucencyFrame::Uniforms values = this->GetValues(frame);
+  const std::string& folder = this->Technique.Folder;
   vtkTranslucencyFrame::Squares squares;
   for (int size : { 8, 16, 32 })
   {
@@ -238,7 +269,7 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
     block.insert({ { "BLOCK_SIZE", std::to_string(size) }, { "EQUAL_DEPTHS", "0" },
       { "LONGER_LEVEL", LevelText(squares.Level + 1) } });
     squares.Most = size;
-    if (!frame.Resolve(folder + "/ResolveShort.glsl", block, squares, range))
+    if (!frame.Resolve(folder + "/ResolveShort.glsl", block, squares, values))
     {
       return false;
     }
@@ -247,7 +278,7 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
   }
   squares.Most = VTK_INT_MAX;
   defines["UNFINISHED_LEVEL"] = LevelText(Long);
-  return (!frame.IsLeftTo(squares) || frame.Resolve(folder + "/Resolve.glsl", defines, squares, range)) &&
+  return (!frame.IsLeftTo(squares) || frame.Resolve(folder + "/Resolve.glsl", defines, squares, values)) &&
     this->ResolveLeftLists(frame);
 }
 

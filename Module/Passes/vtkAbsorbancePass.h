@@ -13,9 +13,9 @@
  * quarter of 1/255. A fragment's own absorbance is taken out of the sums when it asks for its visibility, so that a
  * pixel's only fragment is exact. The total transmittance is the product of 1 - opacity, exact in any case.
  *
- * Memory Fixed: blended targets of 32-bit floats, each pixel and sample the same, however many fragments there are:
+ * Memory Fixed: blended targets of floats, each pixel and sample the same, however many fragments there are:
  * 0. if Bounds is Fragments, the nearest and the farthest depth of a pixel (8 bytes);
- * 1. the sums (4 bytes each);
+ * 1. the sums (4 bytes each, or 2 where Precision is Half);
  * 2. the geometry once more: the fragments' colours, weighted with opacity and vis(z), with the total transmittance (16
  * bytes), and the weights (4 bytes);
  * 3. composite.
@@ -36,6 +36,7 @@
 #ifndef vtkAbsorbancePass_h
 #define vtkAbsorbancePass_h
 
+#include "vtkTranslucencyOption.h"  // for Technique
 #include "vtkTranslucencyTargets.h" // for DepthBounds, Terms, Colors
 #include "vtkVisibilityFunctionPass.h"
 
@@ -67,6 +68,40 @@ public:
   vtkGetMacro(Bounds, int);
   ///@}
 
+  enum PrecisionType
+  {
+    Single = 0,
+    Half = 1
+  };
+
+  ///@{
+  /**
+   * What Memory Fixed holds the sums in: floats of 32 bits (Single, the default) or of 16 (Half), which take half the
+   * room and are rounded at each fragment: Documentation/Figures.md has what that loses. Variable, which has them in
+   * registers, warns of Half. Another value is an error and changes nothing.
+   */
+  void SetPrecision(int precision);
+  vtkGetMacro(Precision, int);
+  ///@}
+
+  enum DepthWarpType
+  {
+    Linear = 0,
+    Logarithmic = 1
+  };
+
+  ///@{
+  /**
+   * How depths are spread over the range, which says where fragments are told apart best:
+   * - Linear (the default): evenly, by the distance from the viewer's plane.
+   * - Logarithmic: evenly by the distance's logarithm, so that what is near is told apart better than what is far
+   *   (Muenstermann, Krumpen, Klein, Peters 2018, section 3.1). In parallel projections it is Linear.
+   * Another value is an error and changes nothing.
+   */
+  void SetDepthWarp(int warp);
+  vtkGetMacro(DepthWarp, int);
+  ///@}
+
   ///@{
   /**
    * Whether a pixel's colour is scaled so that the weights of its fragments add up to 1 - total transmittance, as those
@@ -84,17 +119,13 @@ public:
 
 protected:
   /**
-   * A technique: the option that says how fine its sums are, from 1 on, and its shaders.
+   * A technique: the option that says which sums it has, by a number, and its shaders.
    */
   struct Sums
   {
-    const char* Name; ///< of the property
-    const char* Keyword;
-    int Default;
-    int Most;
-    const char* Help;
-    const char* Folder; ///< of the shaders: Gather.glsl, Resolve.glsl, ResolveShort.glsl
-    const char* Define; ///< by which they know the number
+    vtkTranslucencyOption Number; ///< without Get and Set
+    std::string Folder;           ///< of the shaders: Gather.glsl, Resolve.glsl, ResolveShort.glsl
+    std::string Define;           ///< by which they know the number
   };
   explicit vtkAbsorbancePass(const Sums& sums);
   ~vtkAbsorbancePass() override;
@@ -102,12 +133,12 @@ protected:
   /**
    * The property that is the option.
    */
-  void SetFineness(int number);
+  void SetSums(int number);
 
   /**
    * The number of sums, 1 to 32, or 64.
    */
-  virtual int GetTermCount() const { return this->Fineness; }
+  virtual int GetTermCount() const { return this->Number; }
 
   bool KeepsFragments() const override { return this->Superclass::KeepsFragments() && this->HasStorage; }
   bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
@@ -118,15 +149,21 @@ protected:
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;
 
-  int Fineness;
+  int Number;
   int Bounds = Fragments;
+  int Precision = Single;
+  int DepthWarp = Linear;
   bool AlphaCorrection = true;
+
+  /**
+   * Uniforms of the shaders; a subclass adds its own.
+   */
+  virtual vtkTranslucencyFrame::Uniforms GetValues(const vtkTranslucencyFrame& frame) const;
 
 private:
   const Sums Technique;
 
-  vtkTranslucencyFrame::Defines GetDefines() const;
-  vtkTranslucencyFrame::Uniforms GetRange(const vtkTranslucencyFrame& frame) const;
+  vtkTranslucencyFrame::Defines GetDefines(int precision) const;
   std::vector<int> GetTermFormats() const;
   int GetTermVectors() const;
   vtkTranslucencyFrame::Defines GetCorrection() const;
@@ -134,7 +171,7 @@ private:
   vtkTranslucencyTargets DepthBounds;
   std::array<vtkTranslucencyTargets, 2> Terms; // of a drawing each
   vtkTranslucencyTargets Colors;
-  std::string Missing; // of storage that was warned of
+  std::string Warning; // the last one, of how Memory and what else was asked for don't go together
 
   vtkAbsorbancePass(const vtkAbsorbancePass&) = delete;
   void operator=(const vtkAbsorbancePass&) = delete;

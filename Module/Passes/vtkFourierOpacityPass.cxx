@@ -9,8 +9,10 @@ vtkStandardNewMacro(vtkFourierOpacityPass);
 
 //------------------------------------------------------------------------------
 vtkFourierOpacityPass::vtkFourierOpacityPass()
-  : vtkAbsorbancePass({ "Coefficients", "coefficients", 4, 15,
-      "pairs of cosine and sine beside the mean absorbance; more tell nearer fragments apart and take memory and time",
+  : vtkAbsorbancePass({ { "Coefficients", "coefficients", vtkTranslucencyOption::Kind::Integer, 4, 1, 15, {},
+                          "pairs of cosine and sine beside the mean absorbance; more tell nearer fragments apart and "
+                          "take memory and time",
+                          {}, {} },
       "Fourier", "FOURIER_COEFFICIENTS" })
 {
 }

@@ -31,15 +31,15 @@ public:
   /**
    * Pairs of cosine and sine, 1 to 15, 4 by default. A value outside is an error and changes nothing.
    */
-  void SetCoefficients(int coefficients) { this->SetFineness(coefficients); }
-  int GetCoefficients() const { return this->Fineness; }
+  void SetCoefficients(int coefficients) { this->SetSums(coefficients); }
+  int GetCoefficients() const { return this->Number; }
   ///@}
 
 protected:
   vtkFourierOpacityPass();
   ~vtkFourierOpacityPass() override = default;
 
-  int GetTermCount() const override { return 2 * this->Fineness + 1; }
+  int GetTermCount() const override { return 2 * this->Number + 1; }
 
 private:
   vtkFourierOpacityPass(const vtkFourierOpacityPass&) = delete;

@@ -9,8 +9,10 @@ vtkStandardNewMacro(vtkOpacityShadowMapPass);
 
 //------------------------------------------------------------------------------
 vtkOpacityShadowMapPass::vtkOpacityShadowMapPass()
-  : vtkAbsorbancePass({ "Slices", "slices", 16, 32,
-      "slices of equal depth in which absorbance is summed; more tell nearer fragments apart and take memory and time",
+  : vtkAbsorbancePass({ { "Slices", "slices", vtkTranslucencyOption::Kind::Integer, 16, 1, 32, {},
+                          "slices of equal depth in which absorbance is summed; more tell nearer fragments apart and "
+                          "take memory and time",
+                          {}, {} },
       "OpacityShadowMap", "SLICES" })
 {
 }

@@ -26,8 +26,8 @@ public:
   /**
    * Slices of the range of depths, 1 to 32, 16 by default. A value outside is an error and changes nothing.
    */
-  void SetSlices(int slices) { this->SetFineness(slices); }
-  int GetSlices() const { return this->Fineness; }
+  void SetSlices(int slices) { this->SetSums(slices); }
+  int GetSlices() const { return this->Number; }
   ///@}
 
 protected:

@@ -10,6 +10,7 @@
 #include "vtkFourierOpacityPass.h"
 #include "vtkHybridTransparencyPass.h"
 #include "vtkKBufferPass.h"
+#include "vtkMomentTransparencyPass.h"
 #include "vtkMultiLayerAlphaBlendingPass.h"
 #include "vtkOpacityShadowMapPass.h"
 #include "vtkScreenDoorPass.h"
@@ -82,6 +83,8 @@ const Technique Techniques[] = {
     NewPass<vtkOpacityShadowMapPass> },
   { "wavelet", "wavelet transparency: visibility from absorbance in Haar wavelets, order does not matter",
     NewPass<vtkWaveletTransparencyPass> },
+  { "moment", "moment transparency: visibility from moments of absorbance, order does not matter",
+    NewPass<vtkMomentTransparencyPass> },
   { "weighted", "weighted sum, average or blended: one fast pass, order does not matter",
     NewPass<vtkWeightedTransparencyPass> },
   { "sorted", "blending in the order of depth, of objects or their polygons: right where they don't interlock",

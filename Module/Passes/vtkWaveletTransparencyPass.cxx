@@ -9,9 +9,11 @@ vtkStandardNewMacro(vtkWaveletTransparencyPass);
 
 //------------------------------------------------------------------------------
 vtkWaveletTransparencyPass::vtkWaveletTransparencyPass()
-  : vtkAbsorbancePass({ "Rank", "rank", 3, 5,
-      "the finest level of wavelets; each one more tells fragments half as far apart and doubles the coefficients",
-      "Wavelet", "WAVELET_RANK" })
+  : vtkAbsorbancePass(
+      { { "Rank", "rank", vtkTranslucencyOption::Kind::Integer, 3, 1, 5, {},
+          "the finest level of wavelets; each one more tells fragments half as far apart and doubles the coefficients",
+          {}, {} },
+        "Wavelet", "WAVELET_RANK" })
 {
 }
 VTK_ABI_NAMESPACE_END

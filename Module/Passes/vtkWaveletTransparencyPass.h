@@ -32,15 +32,15 @@ public:
   /**
    * The finest level of wavelets, 1 to 5, 3 by default. A value outside is an error and changes nothing.
    */
-  void SetRank(int rank) { this->SetFineness(rank); }
-  int GetRank() const { return this->Fineness; }
+  void SetRank(int rank) { this->SetSums(rank); }
+  int GetRank() const { return this->Number; }
   ///@}
 
 protected:
   vtkWaveletTransparencyPass();
   ~vtkWaveletTransparencyPass() override = default;
 
-  int GetTermCount() const override { return 2 << this->Fineness; }
+  int GetTermCount() const override { return 2 << this->Number; }
 
 private:
   vtkWaveletTransparencyPass(const vtkWaveletTransparencyPass&) = delete;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Module/Shaders/Fourier, OpacityShadowMap and Wavelet, compiled as C++: the text that the GPU runs, once for each number of
- * terms that CMakeLists.txt lists and of channels.
+ * Module/Shaders/Fourier, OpacityShadowMap, Wavelet and Moment, compiled as C++: the text that the GPU runs, once for
+ * each number of terms that CMakeLists.txt lists, of channels, and for sums in 32 bits and in 16.
  */
 #ifndef AbsorbanceShader_h
 #define AbsorbanceShader_h
@@ -19,11 +19,18 @@ struct Absorber
 
 struct AbsorbanceVariant
 {
-  std::string Technique; // Fourier, Slices or Wavelet
-  int Terms;             // pairs of cosine and sine, slices, or the rank
+  std::string Technique; // Fourier, Slices, Wavelet or Moment
+  int Terms;             // pairs of cosine and sine, slices, the rank, or vtkMomentTransparencyPass::Moments
   int Channels;
-  std::vector<float> (*GetVisibilities)(
-    const std::vector<Absorber>&); // of each, in its last channel; what hides in the others is different
+  bool Half; // sums in 16 bits
+
+  /// Of each, in its last channel; what hides in the others is different. Overestimation is that of moments.
+  std::vector<float> (*GetVisibilities)(const std::vector<Absorber>& absorbers, float overestimation);
+
+  std::vector<float> operator()(const std::vector<Absorber>& absorbers, float overestimation = 0.25f) const
+  {
+    return this->GetVisibilities(absorbers, overestimation);
+  }
 };
 
 /// All that were compiled.

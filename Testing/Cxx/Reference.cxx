@@ -451,15 +451,36 @@ double WaveletShare(int rank, double at, double before)
 {
   const int intervals = 2 << rank;
   // Of the step at `at`, over an interval.
-  const auto mean = [=](int interval) { return interval < 0 ? 0.0 : std::clamp(interval + 1 - intervals * at, 0.0, 1.0); };
+  const auto mean = [=](int interval)
+  { return interval < 0 ? 0.0 : std::clamp(interval + 1 - intervals * at, 0.0, 1.0); };
   const int interval = std::min(static_cast<int>(intervals * before), intervals - 1);
   const double passed = intervals * before - interval;
   return (1 - passed) * mean(interval - 1) + passed * mean(interval);
 }
 
 //------------------------------------------------------------------------------
-Pixel CompositeAbsorbance(
-  const std::vector<Fragment>& fragments, const Share& share, const std::vector<double>& range, bool corrected)
+Visibilities VisibilitiesOf(const Share& share)
+{
+  return [share](const std::vector<double>& depths, const std::vector<double>& alphas)
+  {
+    std::vector<double> visibilities;
+    for (std::size_t i = 0; i < depths.size(); ++i)
+    {
+      double inFront = 0;
+      for (std::size_t j = 0; j < depths.size(); ++j)
+      {
+        const double absorbance = -std::log(std::max(1 - alphas[j], 1.0 / 1024));
+        inFront += j == i ? 0 : absorbance * share(depths[j], depths[i]);
+      }
+      visibilities.push_back(std::exp(-std::max(inFront, 0.0)));
+    }
+    return visibilities;
+  };
+}
+
+//------------------------------------------------------------------------------
+Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Visibilities& visibilities,
+  const std::vector<double>& range, bool corrected)
 {
   double nearest = range.empty() ? 1 : range.front();
   double farthest = range.empty() ? 0 : range.back();
@@ -468,20 +489,20 @@ Pixel CompositeAbsorbance(
     nearest = range.empty() ? std::min(nearest, fragment.Depth) : nearest;
     farthest = range.empty() ? std::max(farthest, fragment.Depth) : farthest;
   }
-  const auto relative = [=](double depth)
-  { return farthest > nearest ? (depth - nearest) / (farthest - nearest) : 0.5; };
+  std::vector<double> depths;
+  std::vector<double> alphas;
+  for (const Fragment& fragment : fragments)
+  {
+    depths.push_back(farthest > nearest ? (fragment.Depth - nearest) / (farthest - nearest) : 0.5);
+    alphas.push_back(fragment.Alpha);
+  }
+  const std::vector<double> seen = visibilities(depths, alphas);
 
   Pixel pixel;
   double weights = 0;
   for (std::size_t i = 0; i < fragments.size(); ++i)
   {
-    double inFront = 0;
-    for (std::size_t j = 0; j < fragments.size(); ++j)
-    {
-      const double absorbance = -std::log(std::max(1 - fragments[j].Alpha, 1.0 / 1024));
-      inFront += j == i ? 0 : absorbance * share(relative(fragments[j].Depth), relative(fragments[i].Depth));
-    }
-    const double weight = std::exp(-std::max(inFront, 0.0)) * fragments[i].Alpha;
+    const double weight = seen[i] * fragments[i].Alpha;
     for (std::size_t c = 0; c < 3; ++c)
     {
       pixel.Rgb[c] += weight * fragments[i].Rgb[c];

@@ -123,10 +123,17 @@ double SliceShare(int slices, double at, double before);
 /// (Aizenshtein, Smal, McGuire 2021, 2.3).
 double WaveletShare(int rank, double at, double before);
 
-/// Eq. 2 with the absorbance of all other fragments by their shares. Depths are relative to a range, or to that of the
-/// fragments if it is empty. Corrected: scaled so that the weights add up to what is hidden.
-Pixel CompositeAbsorbance(
-  const std::vector<Fragment>& fragments, const Share& share, const std::vector<double>& range, bool corrected);
+/// The visibility of each of a pixel's fragments, from their relative depths and their opacities.
+using Visibilities =
+  std::function<std::vector<double>(const std::vector<double>& depths, const std::vector<double>& alphas)>;
+
+/// By the absorbance of all other fragments, each by its share.
+Visibilities VisibilitiesOf(const Share& share);
+
+/// Eq. 2 with these visibilities. Depths are relative to a range, or to that of the fragments if it is empty.
+/// Corrected: scaled so that the weights add up to what is hidden.
+Pixel CompositeAbsorbance(const std::vector<Fragment>& fragments, const Visibilities& visibilities,
+  const std::vector<double>& range, bool corrected);
 
 /// Eq. 2 with the compressed visibility of section 3, into which the fragment drawn last is inserted first. Corrected:
 /// if there are more fragments than nodes, by means if the rule is Underestimate, and scaled so that the weights add up

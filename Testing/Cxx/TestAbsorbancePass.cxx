@@ -1,18 +1,27 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fourier opacity and opacity shadow maps against their own theory, computed on the CPU in double precision.
+// Techniques of sums against their own theory, computed on the CPU: in double precision, or by the shaders' own text
+// where that is no scalar product, or where sums are rounded.
+#include "AbsorbanceShader.h"
 #include "RenderTest.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkFourierOpacityPass.h>
+#include <vtkFramebufferPass.h>
+#include <vtkMomentTransparencyPass.h>
 #include <vtkOpacityShadowMapPass.h>
+#include <vtkPixelBufferObject.h>
 #include <vtkPlaneSource.h>
+#include <vtkTextureObject.h>
 #include <vtkTranslucencyOption.h>
 #include <vtkTranslucencyStatistics.h>
+#include <vtkWaveletTransparencyPass.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace
 {
@@ -20,12 +29,34 @@ struct Technique
 {
   std::string Name;
   std::function<vtkSmartPointer<vtkAbsorbancePass>()> New;
-  Reference::Share Share;
+  Reference::Visibilities Exact;   // of the sums as they are
+  Reference::Visibilities Rounded; // of sums in half floats
 };
 
 void PrintTo(const Technique& technique, std::ostream* os)
 {
   *os << technique.Name;
+}
+
+Reference::Visibilities TextOf(const std::string& technique, int terms, bool half)
+{
+  for (const AbsorbanceVariant& variant : AbsorbanceVariants())
+  {
+    if (variant.Technique == technique && variant.Terms == terms && variant.Half == half && variant.Channels == 1)
+    {
+      return [&variant](const std::vector<double>& depths, const std::vector<double>& alphas)
+      {
+        std::vector<Absorber> absorbers;
+        for (std::size_t i = 0; i < depths.size(); ++i)
+        {
+          absorbers.push_back({ static_cast<float>(depths[i]), static_cast<float>(alphas[i]) });
+        }
+        const std::vector<float> visibilities = variant(absorbers);
+        return std::vector<double>(visibilities.begin(), visibilities.end());
+      };
+    }
+  }
+  return {};
 }
 
 Technique Fourier(int coefficients)
@@ -37,7 +68,9 @@ Technique Fourier(int coefficients)
     return pass;
   };
   return { "Fourier" + std::to_string(coefficients), create,
-    [coefficients](double at, double before) { return Reference::FourierShare(coefficients, at, before); } };
+    Reference::VisibilitiesOf(
+      [coefficients](double at, double before) { return Reference::FourierShare(coefficients, at, before); }),
+    TextOf("Fourier", coefficients, true) };
 }
 
 Technique Slices(int slices)
@@ -49,7 +82,34 @@ Technique Slices(int slices)
     return pass;
   };
   return { "Slices" + std::to_string(slices), create,
-    [slices](double at, double before) { return Reference::SliceShare(slices, at, before); } };
+    Reference::VisibilitiesOf([slices](double at, double before) { return Reference::SliceShare(slices, at, before); }),
+    TextOf("Slices", slices, true) };
+}
+
+Technique Wavelet(int rank)
+{
+  const auto create = [rank]
+  {
+    auto pass = vtkSmartPointer<vtkWaveletTransparencyPass>::New();
+    pass->SetRank(rank);
+    return pass;
+  };
+  return { "Wavelet" + std::to_string(rank), create,
+    Reference::VisibilitiesOf([rank](double at, double before) { return Reference::WaveletShare(rank, at, before); }),
+    TextOf("Wavelet", rank, true) };
+}
+
+Technique Moments(int moments)
+{
+  const auto create = [moments]
+  {
+    auto pass = vtkSmartPointer<vtkMomentTransparencyPass>::New();
+    pass->SetMoments(moments);
+    return pass;
+  };
+  const std::string name = create()->GetOptions().front().Format(moments);
+  return { "Moment" + name.substr(0, 1) + name.back(), create, TextOf("Moment", moments, false),
+    TextOf("Moment", moments, true) };
 }
 
 /// How it is set up, and how many samples the window has.
@@ -59,11 +119,13 @@ struct Setup
   int Bounds;
   bool Corrected;
   int Samples;
+  int Precision = vtkAbsorbancePass::Single;
 
   std::string GetName() const
   {
     return std::string(this->Memory == vtkAbsorbancePass::Fixed ? "Fixed" : "Variable") +
       (this->Bounds == vtkAbsorbancePass::Fragments ? "Fragments" : "Props") + (this->Corrected ? "" : "Uncorrected") +
+      (this->Precision == vtkAbsorbancePass::Half ? "Half" : "") +
       (this->Samples > 0 ? std::to_string(this->Samples) : "");
   }
 };
@@ -85,6 +147,7 @@ std::vector<Setup> Setups()
     }
     setups.push_back({ memory, vtkAbsorbancePass::Fragments, false, 0 });
   }
+  setups.push_back({ vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Fragments, true, 0, vtkAbsorbancePass::Half });
   return setups;
 }
 
@@ -100,6 +163,7 @@ protected:
     pass->SetMemory(setup.Memory);
     pass->SetBounds(setup.Bounds);
     pass->SetAlphaCorrection(setup.Corrected);
+    pass->SetPrecision(setup.Precision);
     return pass;
   }
 
@@ -119,9 +183,10 @@ protected:
       }
       std::sort(range.begin(), range.end());
     }
-    return
-      [share = technique.Share, range, corrected = setup.Corrected](const std::vector<Reference::Fragment>& fragments)
-    { return Reference::CompositeAbsorbance(fragments, share, range, corrected); };
+    const bool half = setup.Precision == vtkAbsorbancePass::Half;
+    return [visibilities = half ? technique.Rounded : technique.Exact, range, corrected = setup.Corrected](
+             const std::vector<Reference::Fragment>& fragments)
+    { return Reference::CompositeAbsorbance(fragments, visibilities, range, corrected); };
   }
 
   Picture DrawTwice(const AnalyticScene& scene) const
@@ -198,17 +263,39 @@ TEST_P(TestAbsorbancePass, OrderOfDrawingChangesNothing)
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrix, TestAbsorbancePass,
-  testing::Combine(
-    testing::Values(Fourier(1), Fourier(4), Fourier(15), Slices(5), Slices(32)), testing::ValuesIn(Setups())),
+  testing::Combine(testing::Values(Fourier(1), Fourier(4), Fourier(15), Slices(5), Slices(32), Wavelet(3), Wavelet(5),
+                     Moments(0), Moments(1), Moments(2), Moments(4)),
+    testing::ValuesIn(Setups())),
   [](const auto& info) { return std::get<0>(info.param).Name + std::get<1>(info.param).GetName(); });
 
 //------------------------------------------------------------------------------
 using TestAbsorbancePassOf = RenderTest;
 
+namespace
+{
+/// The first pixel of what is drawn to a framebuffer of floats.
+std::array<float, 4> DrawInFloats(const AnalyticScene& scene, vtkRenderPass* pass)
+{
+  View view(scene);
+  view.SetTranslucentPass(pass);
+  vtkNew<vtkFramebufferPass> floats;
+  floats->SetColorFormat(vtkTextureObject::Float32);
+  floats->SetDelegatePass(view.Renderer->GetPass());
+  view.Renderer->SetPass(floats);
+  view.Window->Render();
+  std::array<float, 4> pixel{};
+  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(floats->GetColorTexture()->Download());
+  unsigned int size[] = { 1, 1 };
+  vtkIdType increments[] = { 0, 0 };
+  EXPECT_TRUE(buffer->Download2D(VTK_FLOAT, pixel.data(), size, static_cast<int>(pixel.size()), increments));
+  return pixel;
+}
+}
+
 TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
 {
   AnalyticScene scene = RandomLayers(200, 150, 18, 40, 0.02, 0.8);
-  for (const Technique& technique : { Fourier(4), Slices(16) })
+  for (const Technique& technique : { Fourier(4), Slices(16), Wavelet(3), Moments(1) })
   {
     for (int samples : { 0, 4 })
     {
@@ -231,6 +318,57 @@ TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
 }
 
 //------------------------------------------------------------------------------
+// Fragment by fragment, to what floats tell: each shines in one channel of one picture, drawn in floats.
+TEST_F(TestAbsorbancePassOf, VisibilitiesAreThoseOfTheText)
+{
+  constexpr int Channels = 3;
+  constexpr int Count = 3 * Channels;
+  constexpr double Opacities[] = { 0.25, 0.375, 0.125, 0.5, 0.0625, 0.625, 0.25, 0.1875, 0.5 }; // as half floats, too
+  AnalyticScene scene;
+  scene.Width = scene.Height = 8;
+  std::vector<double> depths;
+  std::vector<double> alphas;
+  for (int i = 0; i < Count; ++i)
+  {
+    const int place = 5 * i % Count; // in any order
+    depths.push_back(static_cast<double>(place * place) / ((Count - 1) * (Count - 1)));
+    alphas.push_back(Opacities[i]);
+    scene.Translucent.push_back({ { 0, 0, scene.Width, scene.Height, 0.25 + depths.back() / 2, {}, alphas.back() } });
+  }
+  for (const Technique& technique : { Fourier(4), Slices(16), Wavelet(1), Wavelet(2), Wavelet(3), Wavelet(4),
+         Wavelet(5), Moments(0), Moments(1), Moments(2), Moments(3), Moments(4), Moments(5) })
+  {
+    for (const auto& [memory, precision] : { std::pair(vtkAbsorbancePass::Variable, vtkAbsorbancePass::Single),
+           std::pair(vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Single),
+           std::pair(vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Half) })
+    {
+      const bool half = precision == vtkAbsorbancePass::Half;
+      const std::vector<double> expected = (half ? technique.Rounded : technique.Exact)(depths, alphas);
+      for (int first = 0; first < Count; first += Channels)
+      {
+        AnalyticScene shining = scene;
+        for (int channel = 0; channel < Channels; ++channel)
+        {
+          shining.Translucent[first + channel][0].Rgb[channel] = 1;
+        }
+        const auto pass = technique.New();
+        pass->SetMemory(memory);
+        pass->SetPrecision(precision);
+        pass->AlphaCorrectionOff();
+        const std::array<float, 4> drawn = DrawInFloats(shining, pass);
+        ASSERT_EQ(pass->GetStatistics()->GetFallback(), "") << technique.Name;
+        for (int channel = 0; channel < Channels; ++channel)
+        {
+          const int i = first + channel;
+          EXPECT_NEAR(drawn[channel] / alphas[i], expected[i], half ? 1e-2 : 1e-3)
+            << technique.Name << ", memory " << memory << ", precision " << precision << ", fragment " << i;
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Longer than what registers take, and not taken for lists that have to be sorted: theory is told from the exact
 // picture.
 TEST_F(TestAbsorbancePassOf, LongListsAreWhole)
@@ -241,7 +379,7 @@ TEST_F(TestAbsorbancePassOf, LongListsAreWhole)
     layer[0].Rgb = { { layer[0].Depth, 1 - layer[0].Depth, 0 } }; // what is seen of which depth shows in the mean
   }
   const Compositor composite = [](const std::vector<Reference::Fragment>& fragments)
-  { return Reference::CompositeAbsorbance(fragments, Fourier(1).Share, {}, true); };
+  { return Reference::CompositeAbsorbance(fragments, Fourier(1).Exact, {}, true); };
   vtkNew<vtkFourierOpacityPass> pass;
   pass->SetCoefficients(1);
   const PictureDifference difference = Compare(Draw(scene, pass), scene.RoundedToHalf().Compute(composite));
@@ -281,7 +419,7 @@ TEST_F(TestAbsorbancePassOf, PropsBoundsHoldInPerspective)
 
     const std::vector<Reference::Fragment> fragments = { { 0, { { 1, 0.5, 0 } }, 0.6 },
       { 0.3, { { 0.7, 0.5, 0.3 } }, 0.6 }, { 1, { { 0, 0.5, 1 } }, 0.6 } };
-    const Reference::Pixel expected = Reference::CompositeAbsorbance(fragments, Fourier(4).Share, {}, true);
+    const Reference::Pixel expected = Reference::CompositeAbsorbance(fragments, Fourier(4).Exact, {}, true);
     for (int channel = 0; channel < 3; ++channel)
     {
       EXPECT_NEAR(ofFragments.At(30, 30, channel), 255 * expected.Rgb[channel], 1) << channel;
@@ -332,7 +470,11 @@ TEST_F(TestAbsorbancePassOf, BadValuesAreErrorsAndChangeNothing)
 {
   vtkNew<vtkFourierOpacityPass> fourier;
   vtkNew<vtkOpacityShadowMapPass> map;
-  const vtkMTimeType before = fourier->GetMTime() + map->GetMTime();
+  vtkNew<vtkWaveletTransparencyPass> wavelet;
+  vtkNew<vtkMomentTransparencyPass> moment;
+  const auto getMTimes = [&]
+  { return fourier->GetMTime() + map->GetMTime() + wavelet->GetMTime() + moment->GetMTime(); };
+  const vtkMTimeType before = getMTimes();
   const std::pair<std::function<void()>, std::string> bad[] = {
     { [&] { fourier->SetCoefficients(0); }, "Coefficients is 0, expected 1 to 15" },
     { [&] { fourier->SetCoefficients(16); }, "Coefficients is 16, expected 1 to 15" },
@@ -340,6 +482,13 @@ TEST_F(TestAbsorbancePassOf, BadValuesAreErrorsAndChangeNothing)
     { [&] { map->SetSlices(33); }, "Slices is 33, expected 1 to 32" },
     { [&] { map->SetMemory(2); }, "Memory is 2, expected variable (0) or fixed (1)" },
     { [&] { fourier->SetBounds(-1); }, "Bounds is -1, expected fragments (0) or props (1)" },
+    { [&] { fourier->SetPrecision(2); }, "Precision is 2, expected single (0) or half (1)" },
+    { [&] { fourier->SetDepthWarp(2); }, "DepthWarp is 2, expected linear (0) or logarithmic (1)" },
+    { [&] { wavelet->SetRank(0); }, "Rank is 0, expected 1 to 5" },
+    { [&] { wavelet->SetRank(6); }, "Rank is 6, expected 1 to 5" },
+    { [&] { moment->SetMoments(6); }, "Moments is 6, expected power-4 (0), power-6 (1), power-8 (2), " },
+    { [&] { moment->SetOverestimation(1.01); }, "Overestimation is 1.01, expected 0 to 1" },
+    { [&] { moment->SetOverestimation(std::nan("")); }, "Overestimation is nan, expected 0 to 1" },
     { [&] { fourier->SetOption("alpha_correction", "maybe"); }, "alpha_correction is 'maybe', expected off or on" },
     { [&] { map->SetOption("slices", "3.5"); }, "slices is '3.5', expected an integer in 1..32" },
   };
@@ -350,14 +499,17 @@ TEST_F(TestAbsorbancePassOf, BadValuesAreErrorsAndChangeNothing)
     ASSERT_EQ(messages.size(), 1u) << expected;
     EXPECT_NE(messages[0].find(expected), std::string::npos) << messages[0];
   }
-  EXPECT_EQ(fourier->GetMTime() + map->GetMTime(), before);
+  EXPECT_EQ(getMTimes(), before);
 }
 
 //------------------------------------------------------------------------------
 TEST_F(TestAbsorbancePassOf, OptionsStartWithTheirDefaultsAndTakeTheirEnds)
 {
-  for (const Technique& technique : { Technique{ "", [] { return vtkSmartPointer<vtkFourierOpacityPass>::New(); }, {} },
-         Technique{ "", [] { return vtkSmartPointer<vtkOpacityShadowMapPass>::New(); }, {} } })
+  for (const Technique& technique :
+    { Technique{ "", [] { return vtkSmartPointer<vtkFourierOpacityPass>::New(); }, {}, {} },
+      Technique{ "", [] { return vtkSmartPointer<vtkOpacityShadowMapPass>::New(); }, {}, {} },
+      Technique{ "", [] { return vtkSmartPointer<vtkWaveletTransparencyPass>::New(); }, {}, {} },
+      Technique{ "", [] { return vtkSmartPointer<vtkMomentTransparencyPass>::New(); }, {}, {} } })
   {
     const auto pass = technique.New();
     for (const vtkTranslucencyOption& option : pass->GetOptions())

@@ -371,7 +371,7 @@ std::vector<Sampling> SamplingsWithoutLists(const TriangleScene& few, const Tria
         [](const std::vector<Reference::Fragment>& fragments)
         {
           const auto share = [](double at, double before) { return Reference::SliceShare(8, at, before); };
-          return Reference::CompositeAbsorbance(fragments, share, {}, true);
+          return Reference::CompositeAbsorbance(fragments, Reference::VisibilitiesOf(share), {}, true);
         });
     }
   }

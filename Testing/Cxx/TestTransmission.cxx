@@ -58,7 +58,8 @@ Technique Absorbance(const std::string& technique, const std::string& option, in
   const auto compute = [=](const std::vector<Reference::Fragment>& fragments)
   {
     const auto shareOf = [=](double at, double before) { return share(terms, at, before); };
-    Reference::Pixel pixel = Reference::CompositeAbsorbance(fragments, shareOf, {}, corrected);
+    Reference::Pixel pixel =
+      Reference::CompositeAbsorbance(fragments, Reference::VisibilitiesOf(shareOf), {}, corrected);
     for (std::size_t c = 0; c < 3; ++c)
     {
       double light = 0;
@@ -102,7 +103,10 @@ std::vector<Technique> Colored()
     Absorbance("fourier", "coefficients", 15, true, Reference::FourierShare),
     Absorbance("shadowmap", "slices", 5, true, Reference::SliceShare),
     Absorbance("shadowmap", "slices", 16, false, Reference::SliceShare),
-    Absorbance("shadowmap", "slices", 32, true, Reference::SliceShare) };
+    Absorbance("shadowmap", "slices", 32, true, Reference::SliceShare),
+    Absorbance("wavelet", "rank", 1, true, Reference::WaveletShare),
+    Absorbance("wavelet", "rank", 3, false, Reference::WaveletShare),
+    Absorbance("wavelet", "rank", 5, true, Reference::WaveletShare) };
 }
 
 // Of those, these.

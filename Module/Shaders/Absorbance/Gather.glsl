@@ -28,7 +28,7 @@ uniform Target depthBounds;
 void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float z = linearDepth(depth);
+  float z = spreadDepth(depth);
 #if ABSORBANCE_BOUNDS == ABSORBANCE_BOUNDS_FRAGMENTS
   vec2 range = vec2(-1.0, 1.0) * fetchTarget(depthBounds, pixel).xy;
 #else

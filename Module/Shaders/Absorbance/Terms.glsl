@@ -15,16 +15,32 @@
 //
 // With three channels (Common/Channels.glsl) there are as many absorbances, sums and visibilities, of one basis.
 //
+// TERM_PRECISION: the sums are held in floats of 32 bits, or of 16. Each addition rounds them.
+//
 // Valid C++, too.
 //
-// Needs: TERM_VECTORS (1 to 8, or 16), of four terms each; TRANSMITTANCE_CHANNELS.  Gives: Terms, TermVector, spread,
-// integrate, weighted, absorbanceOf, relativeDepth, clearTerms.
+// Needs: TERM_VECTORS (1 to 8, or 16), of four terms each; TERM_PRECISION; TRANSMITTANCE_CHANNELS.  Gives: Terms,
+// TermVector, spread, integrate, weighted, absorbanceOf, relativeDepth, clearTerms, and TERM_ROUNDING, a bound of what
+// rounding makes of a sum, as a share of it, if it is no less than TERM_LEAST.
 #ifndef Terms_glsl
 #define Terms_glsl
 #define VECTOR_COUNT TERM_VECTORS
 #include "Common/EachVector.glsl"
 #include "Common/Channels.glsl"
 #include "Common/Language.glsl"
+
+#ifndef TERM_PRECISION
+#error "Terms.glsl needs TERM_PRECISION"
+#endif
+#define TERM_PRECISION_SINGLE 0
+#define TERM_PRECISION_HALF 1
+#if TERM_PRECISION == TERM_PRECISION_HALF
+#define TERM_ROUNDING 9.765625e-4f // 2^-10
+#define TERM_LEAST 6.1035156e-5f
+#else
+#define TERM_ROUNDING 2.384186e-7f // 2^-22
+#define TERM_LEAST 0.0f
+#endif
 
 #define LEAST_TRANSMITTANCE (1.0f / 1024.0f)
 

@@ -47,14 +47,14 @@ bool isThere(Surface surface)
 
 void bound(inout Sums sums, float depth, Surface surface)
 {
-  float z = linearDepth(depth);
+  float z = spreadDepth(depth);
   sums.range = isThere(surface) ? vec2(min(sums.range.x, z), max(sums.range.y, z)) : sums.range;
 }
 
 void absorb(inout Sums sums, float depth, Channels alpha)
 {
   Basis basis;
-  basisAt(relativeDepth(linearDepth(depth), sums.range), basis);
+  basisAt(relativeDepth(spreadDepth(depth), sums.range), basis);
   addToTerms(sums.terms, basis, absorbanceOf(alpha));
   sums.transmittance *= 1.0 - alpha;
 }
@@ -62,7 +62,7 @@ void absorb(inout Sums sums, float depth, Channels alpha)
 void weigh(inout Sums sums, float depth, Surface surface)
 {
   Basis basis;
-  basisAt(relativeDepth(linearDepth(depth), sums.range), basis);
+  basisAt(relativeDepth(spreadDepth(depth), sums.range), basis);
   Channels visibility = visibilityOf(sums.terms, basis, absorbanceOf(surface.opacity));
   addWeighted(sums.weighted, surface.color, surface.opacity, visibility);
 }

@@ -5,8 +5,8 @@
 //
 // Valid C++, too.
 //
-// Needs: Basis, absorbanceBefore, PLACE_OF (a Basis's depth), LAST_OF (the moment in the last vector, if there is one by
-// itself), LAST_VECTOR.  Gives: absorbanceInFront.
+// Needs: Basis, absorbanceBefore, PLACE_OF (a Basis's depth), LAST_OF (the moment in the last vector, if there is one
+// by itself), LAST_VECTOR.  Gives: absorbanceInFront.
 #ifndef InFront_glsl
 #define InFront_glsl
 

@@ -6,10 +6,9 @@
 //
 // Fragments of absorbance a[i] at depths z[i] between -1 and 1 are masses. The terms are their moments,
 //   b[k] = sum a[i] z[i]^k,   k = 0 to MOMENTS.
-// Of all distributions of mass that have these moments, one has a mass at a given depth z and at most MOMENTS / 2
-// others, and none can have less in front of z than what that one has there, nor more than that with the mass at z
-// itself (Chebyshev, Markov, Stieltjes). What is taken for the truth is OVERESTIMATION of the mass at z beside what is
-// in front.
+// One of all distributions of mass that have these moments has a mass at a given depth z and at most MOMENTS / 2 others.
+// No other has less in front of z, nor more than it has there with the mass at z (Chebyshev, Markov, Stieltjes). Of the
+// mass at z the share OVERESTIMATION is taken to be in front.
 //
 // How this is computed differs from the papers, so that 32 bits do for lone and coincident fragments, too:
 // - A fragment's own moments are taken out first. One that is alone has nothing in front of it.
@@ -17,10 +16,11 @@
 //   regular, and no pivot of its factorization is less than the same share of that distribution's own. What is less was
 //   lost by rounding, and is set to that.
 // - P[k], the polynomials of degree k that are orthogonal to each other in the distribution, follow from the
-//   factorization, with their squares' means D[k]. K(x, y) = sum P[k](x) P[k](y) / D[k] is the kernel: 1 / K(z, z) is the
-//   mass at z, and the zeros of K(z, x) are where the others are. They are found as t = 1 / (x - z), for which the
+//   factorization, with their squares' means D[k]. K(x, y) = sum P[k](x) P[k](y) / D[k] is the kernel: 1 / K(z, z) is
+//   the mass at z, and the zeros of K(z, x) are where the others are. They are found as t = 1 / (x - z), for which the
 //   leading coefficient is K(z, z), never small; a mass far away has t = 0.
-// - The mass at each is 1 / K(x, x), too, never negative, and errors of the zeros count little. All together are made 1.
+// - The mass at each is 1 / K(x, x), too, never negative. What is missing in their sum, 1, is given to those whose zeros
+//   may be farthest off: two near each other, which are on one side of z.
 //
 // Valid C++, too.
 //
@@ -98,7 +98,8 @@ struct Polynomials
 void orthogonalize(vec4 low, vec4 high, float last, float bias, OUT(Polynomials) p)
 {
   vec4 least = bias * SPREAD_PIVOTS;
-  vec4 pivots;
+  vec4 pivots = vec4(1.0f);
+  p.reciprocals = vec4(0.0f); // of polynomials that there are not
   p.first0 = low.y;
   p.second.x = low.z;
   pivots.x = max(low.z - low.y * low.y, least.x);
@@ -147,13 +148,12 @@ vec4 polynomialsAt(INOUT(Polynomials) p, float x)
 // much the moments are rounded.
 float absorbanceBefore(vec4 low, vec4 high, float last, float total, float z)
 {
-  const float rounding = 2.384186e-7f; // 2^-22
   float absorbance = low.x;
-  if (!(absorbance > 4.0f * rounding * total))
+  if (!(absorbance > 4.0f * max(TERM_ROUNDING * total, TERM_LEAST)))
   {
     return 0.0f;
   }
-  float bias = clamp(rounding * total / absorbance, MOMENT_BIAS, 1.0f);
+  float bias = clamp(TERM_ROUNDING * total / absorbance, MOMENT_BIAS, 1.0f);
   float scale = (1.0f - bias) / absorbance;
   low = scale * low + bias * SPREAD_LOW;
   high = scale * high + bias * SPREAD_HIGH;
@@ -184,8 +184,11 @@ float absorbanceBefore(vec4 low, vec4 high, float last, float total, float z)
 #endif
   Zeros zeros = zerosOf(coefficients / kernel);
 
-  float all = 1.0f / kernel;
-  float inFront = OVERESTIMATION * all;
+  Zeros sensitivity = sensitivityOf(zeros);
+  float missing = 1.0f - 1.0f / kernel;
+  float inFront = OVERESTIMATION / kernel;
+  float sensitivities = 0.0f;
+  float sensitivityInFront = 0.0f;
   for (int i = 0; i < MOMENT_ZEROS; ++i)
   {
     const float nearest = 1e-6f; // 1 / t of what is farther away has no mass
@@ -194,11 +197,14 @@ float absorbanceBefore(vec4 low, vec4 high, float last, float total, float z)
     {
       vec4 there = polynomialsAt(p, z + 1.0f / t);
       float mass = 1.0f / (1.0f + dot(there, there * p.reciprocals));
-      all += mass;
+      missing -= mass;
       inFront += t < 0.0f ? mass : 0.0f;
+      sensitivities += sensitivity[i];
+      sensitivityInFront += t < 0.0f ? sensitivity[i] : 0.0f;
     }
   }
-  return absorbance * inFront / all;
+  inFront += sensitivities > 0.0f ? missing * sensitivityInFront / sensitivities : 0.0f;
+  return absorbance * clamp(inFront, 0.0f, 1.0f);
 }
 
 #if MOMENTS == 8

@@ -32,6 +32,8 @@
 
 #define WHOLE_CIRCLE 6.2831853f
 #define GAP 0.31415927f
+#define SINE_OF_HALF_GAP 0.15643447f
+#define COSINE_OF_HALF_GAP 0.98768834f
 
 struct Basis
 {
@@ -42,6 +44,13 @@ struct Basis
 vec2 timesComplex(vec2 a, vec2 b)
 {
   return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+// Rises with a vector's angle from 0 to the whole circle, from 0 to 4.
+float angleOrder(vec2 a)
+{
+  float x = a.x / (abs(a.x) + abs(a.y));
+  return a.y < 0.0f ? 3.0f + x : 1.0f - x;
 }
 
 vec2 conjugate(vec2 a)
@@ -178,16 +187,24 @@ vec4 coefficientsOf(INOUT(Polynomials) p)
 #endif
 }
 
+// Of a mass at an angle from the middle of the gap, how much is in front of a fragment at another. The gap has no
+// fragments, but masses may lie there: in front at its end, behind at its beginning, and in between by shares, so that
+// no visibility jumps where a mass comes to an end of the depths.
+float shareInFront(vec2 mass, vec2 fragment)
+{
+  float passed = 0.5f + 0.5f * mass.y * (1.0f / SINE_OF_HALF_GAP);
+  return mass.x > COSINE_OF_HALF_GAP ? passed : angleOrder(mass) < angleOrder(fragment) ? 1.0f : 0.0f;
+}
+
 // What all but a fragment have in front of an angle, from their moments. total is what it has absorbed itself, too: by
 // that much the moments are rounded.
 float absorbanceBefore(INOUT(CircleMoments) moments, float absorbance, float total, float angle)
 {
-  const float rounding = 2.384186e-7f; // 2^-22
-  if (!(absorbance > 4.0f * rounding * total))
+  if (!(absorbance > 4.0f * max(TERM_ROUNDING * total, TERM_LEAST)))
   {
     return 0.0f;
   }
-  float bias = clamp(rounding * total / absorbance, MOMENT_BIAS, 1.0f);
+  float bias = clamp(TERM_ROUNDING * total / absorbance, MOMENT_BIAS, 1.0f);
   vec2 turn = vec2(cos(angle), -sin(angle));
   vec2 turned = turn;
   for (int k = 0; k < TRIGONOMETRIC_MOMENTS; ++k)
@@ -197,21 +214,26 @@ float absorbanceBefore(INOUT(CircleMoments) moments, float absorbance, float tot
   }
   Polynomials p;
   orthogonalize(moments, bias, p);
-  float all = 1.0f / kernelAt(p, vec2(1.0f, 0.0f));
-  float inFront = OVERESTIMATION * all;
-  // cot(d / 2) of where the circle begins, half the gap before depth 0.
-  float begin = 0.5f * (angle + 0.5f * GAP);
-  float beginning = -cos(begin) / sin(begin);
+  float here = 1.0f / kernelAt(p, vec2(1.0f, 0.0f));
+  float missing = 1.0f - here;
+  float inFront = OVERESTIMATION * here;
+  float sensitivityInFront = 0.0f;
+  // From the middle of the gap to the fragment: half the gap more than the angle.
+  vec2 toMiddle = timesComplex(conjugate(turn), vec2(COSINE_OF_HALF_GAP, SINE_OF_HALF_GAP));
   Zeros zeros = zerosOf(coefficientsOf(p));
+  Zeros sensitivity = sensitivityOf(zeros);
   for (int i = 0; i < MOMENT_ZEROS; ++i)
   {
     float t = zeros[i];
-    float scale = 1.0f / (t * t + 1.0f);
-    float mass = 1.0f / kernelAt(p, vec2(t * t - 1.0f, 2.0f * t) * scale); // (t + i) / (t - i)
-    all += mass;
-    inFront += t < beginning ? mass : 0.0f;
+    vec2 there = vec2(t * t - 1.0f, 2.0f * t) / (t * t + 1.0f); // (t + i) / (t - i)
+    float mass = 1.0f / kernelAt(p, there);
+    float share = shareInFront(timesComplex(there, toMiddle), toMiddle);
+    missing -= mass;
+    inFront += mass * share;
+    sensitivityInFront += sensitivity[i] * share;
   }
-  return absorbance * inFront / all;
+  inFront += missing * sensitivityInFront / dot(sensitivity, Zeros(1.0f));
+  return absorbance * clamp(inFront, 0.0f, 1.0f);
 }
 
 float absorbanceBefore(vec4 first, vec4 second, float last, float total, float angle)

@@ -6,12 +6,14 @@
 // Valid C++, too.
 //
 // Needs: MOMENT_ZEROS (2 to 4), the degree.  Gives: Zeros (a vector), zerosOf: of the polynomial whose coefficients are
-// 1 and those that it is given, from the second one on.
+// 1 and those that it is given, from the second one on; sensitivityOf: how far rounding may move each, but for a factor.
 #ifndef Zeros_glsl
 #define Zeros_glsl
 #ifndef MOMENT_ZEROS
 #error "Moment/Zeros.glsl needs MOMENT_ZEROS"
 #endif
+
+#define LEAST_SLOPE 1e-20f
 
 // The zeros of t^2 + b t + c, which are real.
 vec2 zerosOfSquare(float b, float c)
@@ -41,6 +43,11 @@ Zeros zerosOf(vec4 c)
 {
   return zerosOfSquare(c.x, c.y);
 }
+
+Zeros sensitivityOf(Zeros zeros)
+{
+  return Zeros(1.0f);
+}
 #elif MOMENT_ZEROS == 3
 #define Zeros vec3
 Zeros zerosOf(vec4 c)
@@ -51,6 +58,13 @@ Zeros zerosOf(vec4 c)
   vec3 slope = (3.0f * t + vec3(2.0f * c.x)) * t + vec3(c.y);
   return t - vec3(slope.x != 0.0f ? value.x / slope.x : 0.0f, slope.y != 0.0f ? value.y / slope.y : 0.0f,
                slope.z != 0.0f ? value.z / slope.z : 0.0f);
+}
+
+// One over the slope at the zero.
+Zeros sensitivityOf(Zeros t)
+{
+  vec3 differences = abs(vec3(t.x - t.y, t.y - t.z, t.z - t.x));
+  return 1.0f / max(differences * vec3(differences.z, differences.x, differences.y), vec3(LEAST_SLOPE));
 }
 #else
 #define Zeros vec4
@@ -102,6 +116,15 @@ Zeros zerosOf(vec4 c)
   t.z = approachZero(c, t.z, t.x, t.y, t.w);
   t.w = approachZero(c, t.w, t.x, t.y, t.z);
   return t;
+}
+
+// One over the slope at the zero.
+Zeros sensitivityOf(Zeros t)
+{
+  vec4 next = abs(t - vec4(t.y, t.z, t.w, t.x));
+  vec4 last = vec4(next.w, next.x, next.y, next.z);
+  vec2 across = abs(vec2(t.x - t.z, t.y - t.w));
+  return 1.0f / max(next * last * vec4(across, across), vec4(LEAST_SLOPE));
 }
 #endif
 

@@ -36,7 +36,8 @@
 #define WAVELET_FIRST(vector) float(4 * (vector) - (1 << WAVELET_LEVEL(vector)))
 #define ROOT_OF_HALF 0.70710678f
 // 2^(-n/2)
-#define WAVELET_SCALE(level) ((level) == 2 ? 0.5f : (level) == 3 ? 0.5f * ROOT_OF_HALF : (level) == 4 ? 0.25f : 0.25f * ROOT_OF_HALF)
+#define WAVELET_SCALE(level) \
+  (((level) < 4 ? 0.5f : 0.25f) * ((level) == 3 || (level) == 5 ? ROOT_OF_HALF : 1.0f))
 
 void basisAt(float depth, OUT(Basis) basis)
 {
