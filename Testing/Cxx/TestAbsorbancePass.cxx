@@ -205,6 +205,8 @@ protected:
 
 // What is behind shows through: blending in bytes rounds colour, transmittance and product.
 constexpr double Bound = 2;
+// Besides, how blending rounds half floats is up to the driver: up to 1e-2 of a visibility.
+constexpr double BoundOfHalves = Bound + 0.01 * 255;
 }
 
 //------------------------------------------------------------------------------
@@ -215,7 +217,8 @@ TEST_P(TestAbsorbancePass, IsAsComputed)
       RandomLayers(80, 60, 13, 70, 0.02, 0.3).Shrunk(5), RandomMosaic(100, 80, 14, 20, 0.02, 0.6).Shrunk(5) })
   {
     const PictureDifference difference = Compare(this->DrawTwice(scene), scene.Compute(this->GetCompositor(scene)));
-    EXPECT_LE(difference.Largest, Bound) << scene.Translucent.size() << " layers: " << difference;
+    EXPECT_LE(difference.Largest, std::get<1>(GetParam()).Precision == vtkAbsorbancePass::Half ? BoundOfHalves : Bound)
+      << scene.Translucent.size() << " layers: " << difference;
   }
 }
 

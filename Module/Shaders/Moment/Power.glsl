@@ -6,9 +6,9 @@
 //
 // Fragments of absorbance a[i] at depths z[i] between -1 and 1 are masses. The terms are their moments,
 //   b[k] = sum a[i] z[i]^k,   k = 0 to MOMENTS.
-// One of all distributions of mass that have these moments has a mass at a given depth z and at most MOMENTS / 2 others.
-// No other has less in front of z, nor more than it has there with the mass at z (Chebyshev, Markov, Stieltjes). Of the
-// mass at z the share OVERESTIMATION is taken to be in front.
+// One of all distributions of mass that have these moments has a mass at a given depth z and at most MOMENTS / 2
+// others. No other has less in front of z, nor more than this one has there with the mass at z (Chebyshev, Markov,
+// Stieltjes). Of the mass at z the share OVERESTIMATION is taken to be in front.
 //
 // How this is computed differs from the papers, so that 32 bits do for lone and coincident fragments, too:
 // - A fragment's own moments are taken out first. One that is alone has nothing in front of it.
@@ -19,8 +19,8 @@
 //   factorization, with their squares' means D[k]. K(x, y) = sum P[k](x) P[k](y) / D[k] is the kernel: 1 / K(z, z) is
 //   the mass at z, and the zeros of K(z, x) are where the others are. They are found as t = 1 / (x - z), for which the
 //   leading coefficient is K(z, z), never small; a mass far away has t = 0.
-// - The mass at each is 1 / K(x, x), too, never negative. What is missing in their sum, 1, is given to those whose zeros
-//   may be farthest off: two near each other, which are on one side of z.
+// - The mass at each is 1 / K(x, x), too, never negative. What is missing in their sum, 1, is given to those whose
+//   zeros may be farthest off: two near each other, which are on one side of z.
 //
 // Valid C++, too.
 //

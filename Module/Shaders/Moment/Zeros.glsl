@@ -6,7 +6,8 @@
 // Valid C++, too.
 //
 // Needs: MOMENT_ZEROS (2 to 4), the degree.  Gives: Zeros (a vector), zerosOf: of the polynomial whose coefficients are
-// 1 and those that it is given, from the second one on; sensitivityOf: how far rounding may move each, but for a factor.
+// 1 and those that it is given, from the second one on; sensitivityOf: how far rounding may move each, but for a
+// factor.
 #ifndef Zeros_glsl
 #define Zeros_glsl
 #ifndef MOMENT_ZEROS
