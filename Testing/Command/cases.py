@@ -327,16 +327,54 @@ def old_opengl(command, folder):
               {"MESA_GL_VERSION_OVERRIDE": "2.1", "PATH": ""})(command, folder)
 
 
-def fragments_of(scene, least, most):
+def fragments_of(scene, least, most, tinted=False):
     """A built-in scene has the fragments that the figures in reports are about."""
 
     def case(command, folder):
-        succeeds(command, folder, ["bench", scene, "--size", "800x600", "--frames", "1", "--warmup", "0",
-                                   "--techniques", "exact", "-o", "times.json"])
+        arguments = ["bench", scene, "--size", "800x600", "--frames", "1", "--warmup", "0", "--techniques", "exact", "-o", "times.json"]
+        if tinted:
+            warns(arguments, "'blend' draws without transmission colours")(command, folder)
+        else:
+            succeeds(command, folder, arguments)
         fragments = json.loads((folder / "times.json").read_text())["techniques"][0]["fragments"]
         assert least <= fragments <= most, fragments
 
     return case
+
+
+def same_each_time(scene, *others):
+    """A built-in scene is the same picture each time, and another with another setting."""
+
+    def case(command, folder):
+        pictures = []
+        for name in (scene, scene, *others):
+            succeeds(command, folder, ["render", name, "--size", "120x90", "--technique", "exact", "-o", "out.png"])
+            pictures.append((folder / "out.png").read_bytes())
+        assert pictures[0] == pictures[1]
+        assert len(set(pictures)) == 1 + len(others), [picture == pictures[0] for picture in pictures]
+
+    return case
+
+
+def scene_changes_setting(command, folder):
+    """A scene file goes before what a built-in scene sets of eye, lights and background, and the command line before both."""
+    settings = {"camera": {"direction": [1, -1, -1]}, "background": "navy", "lights": [{"type": "headlight"}]}
+    pictures = []
+    for used in ([], ["camera"], ["background"], ["lights"], ["background", "lights"]):
+        actors = [{"file": "scene:bottle"}]
+        (folder / "bottle.json").write_text(json.dumps({"actors": actors, **{key: settings[key] for key in used}}))
+        succeeds(command, folder, render("--scene", "bottle.json", "-t", "exact"))
+        pictures.append((folder / "out.png").read_bytes())
+    assert len(set(pictures)) == len(pictures), [pictures.index(picture) for picture in pictures]
+    succeeds(command, folder, render("--scene", "bottle.json", "-t", "exact", "--background", "white"))
+    white = (folder / "out.png").read_bytes()
+    succeeds(command, folder, render("scene:bottle", "-t", "exact", "--background", "white"))
+    assert white not in pictures and (folder / "out.png").read_bytes() not in [white, *pictures]
+
+
+def help_lists_scenes(command, folder):
+    listed = set(re.findall(r"scene:\w+", succeeds(command, folder, ["bench", "--help"], {**os.environ, "DISPLAY": ""})))
+    assert {scene.split(":")[1] for scene in listed} >= {"spheres", "rectangles", *BUILT_IN}, listed
 
 
 def storage_of_paper(command, folder):
@@ -425,6 +463,16 @@ def orbit_moves_the_camera(command, folder):
 # What the command asks for where VTK can't open a window: up to release 9.3, and since.
 WITHOUT = "(expected one, or the program xvfb-run|and VTK found neither EGL nor OSMesa with OpenGL 3.2 to draw without: expected one of the three)"
 
+# The first is drawn twice; each other has a setting that changes it.
+BUILT_IN = {
+    "smoke": ["scene:smoke", "scene:smoke:seed=2", "scene:smoke:count=90", "scene:smoke:sphere=transparent"],
+    "glasses": ["scene:glasses", "scene:glasses:seed=2", "scene:glasses:count=1"],
+    "foliage": ["scene:foliage", "scene:foliage:seed=2", "scene:foliage:count=140"],
+    "car": ["scene:car", "scene:car:seed=2", "scene:car:count=12"],
+    "bottle": ["scene:bottle", "scene:bottle:label=yes"],
+    "particles": ["scene:particles", "scene:particles:seed=2", "scene:particles:count=90"],
+}
+
 CASES = {
     "List": list_text,
     "ListJson": list_json,
@@ -491,6 +539,16 @@ CASES = {
     "WithoutDisplay": without_display,
     "SceneSpheres": fragments_of("scene:spheres", 4.0e6, 4.4e6),
     "SceneRectangles": fragments_of("scene:rectangles", 3.6e6, 3.8e6),
+    "SceneSmoke": fragments_of("scene:smoke", 4.3e6, 4.8e6),
+    "SceneSmokeAboutGlass": fragments_of("scene:smoke:sphere=transparent", 4.8e6, 5.3e6),
+    "SceneGlasses": fragments_of("scene:glasses", 2.0e6, 2.2e6, tinted=True),
+    "SceneFoliage": fragments_of("scene:foliage", 1.9e6, 2.3e6),
+    "SceneCar": fragments_of("scene:car", 4.0e6, 4.6e6),
+    "SceneBottle": fragments_of("scene:bottle", 3.8e5, 4.3e5, tinted=True),
+    "SceneParticles": fragments_of("scene:particles", 5.3e6, 6.0e6),
+    **{f"SceneSame-{name}": same_each_time(*scenes) for name, scenes in BUILT_IN.items()},
+    "SceneSetting": scene_changes_setting,
+    "SceneHelp": help_lists_scenes,
 }
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -573,6 +631,15 @@ CASES.update({
     "BadFrames": fails(bench("--frames", "0"), r"--frames.*'0', expected a number in 1\.\."),
     "BadBuiltInScene": fails(render("scene:cubes"), r"no scene 'scene:cubes', expected one of: scene:spheres"),
     "BadBuiltInSceneKey": fails(render("scene:spheres:depth=3"), r"'spheres' has no option 'depth', expected one of: count, seed"),
+    **{f"BadBuiltInSceneKey-{name}": fails(render(f"scene:{name}:depth=3"), rf"'{name}' has no option 'depth', expected one of: \w+")
+       for name in BUILT_IN},
+    **{f"BadBuiltInSceneCount-{name}": fails(render(f"scene:{name}:count={count}"), rf"count is '{count}' in '{name}:count={count}', expected an integer in {fits}")
+       for name, count, fits in [("smoke", 0, r"1\.\.100000$"), ("glasses", 1001, r"1\.\.1000$"), ("foliage", 9, r"10\.\.100000$"),
+                                 ("car", "2.5", r"1\.\.10000$"), ("particles", 1, r"2\.\.100000$")]},
+    **{f"BadBuiltInSceneSeed-{name}": fails(render(f"scene:{name}:seed=0"), rf"seed is '0' in '{name}:seed=0', expected an integer in 1\.\.")
+       for name in BUILT_IN if name != "bottle"},
+    "BadBuiltInSceneSphere": fails(render("scene:smoke:sphere=glass"), r"sphere is 'glass' in 'smoke:sphere=glass', expected one of: opaque, transparent$"),
+    "BadBuiltInSceneLabel": fails(render("scene:bottle:label=1"), r"label is '1' in 'bottle:label=1', expected one of: no, yes$"),
     "BadBuiltInSceneCount": fails(render("scene:spheres:count=0"), r"count is '0' in 'spheres:count=0', expected an integer in 1"),
     "BadDisplay": fails_without_windows(render("ok.vtp"), rf"display ':987' can't be opened, {WITHOUT}", {"DISPLAY": ":987", "PATH": ""}),
     "BadNoDisplay": fails_without_windows(render("ok.vtp"), rf"there is no X display \(DISPLAY is not set\), {WITHOUT}", {"DISPLAY": None, "PATH": ""}),

@@ -12,7 +12,7 @@ import sys
 
 ROOMS = {  # of each folder, from below: each may use those before it
     "Module": ("Core", "Storage", "Passes", "Study"),
-    "Plugins/Command": ("Basics", "Scenes", "Techniques", "Report", "Study", "CommandLine"),
+    "Plugins/Command": ("Basics", "Models", "Scenes", "Techniques", "Report", "Study", "CommandLine"),
 }
 MOST_LINES = 600
 

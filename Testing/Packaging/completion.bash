@@ -40,7 +40,7 @@ offers 'translucency render --method ' front-to-back dual bucket-sort sum averag
 offers 'translucency render --opacity '
 offers 'translucency render --scene f' frog.json
 offers 'translucency render l' 'left lung.stl'
-offers 'translucency render scene:s' spheres # readline keeps what stands before the colon
+offers 'translucency render scene:s' smoke spheres # readline keeps what stands before the colon
 offers 'translucency schema ' scene histogram
 offers 'translucency list x'
 offers 'translucency run ' --

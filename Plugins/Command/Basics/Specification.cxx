@@ -11,6 +11,17 @@
 #include <sstream>
 
 //------------------------------------------------------------------------------
+std::string Listed(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 Specification::Specification(const std::string& text)
   : Text(text)
 {
@@ -43,13 +54,8 @@ void Specification::CheckKeys(const std::vector<std::string>& known) const
   {
     if (std::find(known.begin(), known.end(), setting.first) == known.end())
     {
-      std::string names;
-      for (const std::string& name : known)
-      {
-        names += (names.empty() ? "" : ", ") + name;
-      }
       throw Failure("'" + this->Name + "' has no option '" + setting.first + "', expected " +
-        (names.empty() ? "none: it has no options" : "one of: " + names));
+        (known.empty() ? "none: it has no options" : "one of: " + Listed(known)));
     }
   }
 }
@@ -73,4 +79,22 @@ int Specification::GetInteger(const std::string& key, int byDefault, int least, 
     return static_cast<int>(value);
   }
   return byDefault;
+}
+
+//------------------------------------------------------------------------------
+std::string Specification::GetChoice(const std::string& key, const std::vector<std::string>& words) const
+{
+  for (const auto& setting : this->Settings)
+  {
+    if (setting.first != key)
+    {
+      continue;
+    }
+    if (std::find(words.begin(), words.end(), setting.second) == words.end())
+    {
+      throw Failure(key + " is '" + setting.second + "' in '" + this->Text + "', expected one of: " + Listed(words));
+    }
+    return setting.second;
+  }
+  return words.front();
 }

@@ -24,6 +24,12 @@ struct Specification
 
   /// The setting as an integer, or the default; throws Failure if it is none in the range.
   int GetInteger(const std::string& key, int byDefault, int least, int most) const;
+
+  /// The setting as one of these words, or the first of them; throws Failure if it is another.
+  std::string GetChoice(const std::string& key, const std::vector<std::string>& words) const;
 };
+
+/// "a, b, c", as messages list what they expect.
+std::string Listed(const std::vector<std::string>& words);
 
 #endif

@@ -3,6 +3,7 @@
 #include "Arguments.h"
 
 #include "Basics/Failure.h"
+#include "Basics/Specification.h"
 #include "Completion.h"
 #include "Manual.h"
 #include "Scenes/BuiltInScenes.h"
@@ -104,10 +105,9 @@ const std::string Looking = "View";
 
 void AddSceneOptions(CLI::App* command, Written& written, Arguments& arguments, const std::string& alone = "")
 {
+  const std::vector<std::string> builtIn = BuiltInSceneNames();
   written.Values[command->add_option("INPUT", written.Sources,
-    alone + "files (" + InputSuffixes() + ") or built-in scenes (scene:spheres, scene:rectangles)")] = {
-    { "scene:spheres", "scene:rectangles" }, true
-  };
+    alone + "files (" + InputSuffixes() + ") or built-in scenes (" + Listed(builtIn) + ")")] = { builtIn, true };
   written.Values[command->add_option(
     "--scene", written.SceneFile, "a scene file; 'translucency schema' says what it holds")] = { {}, true };
   command->add_option("--title", written.Title, "what reports call the scene");

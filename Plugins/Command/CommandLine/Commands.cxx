@@ -49,7 +49,7 @@ Task MakeTask(const Arguments& arguments)
   task.Inputs.insert(task.Inputs.end(), arguments.Inputs.begin(), arguments.Inputs.end());
   task.Setting.Size = arguments.Size.value_or(task.Setting.Size);
   task.Setting.Samples = arguments.Samples;
-  task.Setting.Behind = arguments.Behind.value_or(task.Setting.Behind);
+  task.Setting.Behind = arguments.Behind ? arguments.Behind : task.Setting.Behind;
   task.Setting.Eye.Azimuth = arguments.Azimuth.value_or(task.Setting.Eye.Azimuth);
   task.Setting.Eye.Elevation = arguments.Elevation.value_or(task.Setting.Eye.Elevation);
   task.Setting.Eye.Zoom = arguments.Zoom.value_or(task.Setting.Eye.Zoom);
@@ -193,11 +193,11 @@ void RunRender(const Arguments& arguments)
   CheckPictureSuffix(arguments.Output);
   const TechniqueChoice technique = ChooseTechniqueOf(arguments);
   Task task = MakeTask(arguments);
-  if (!task.Setting.Behind)
+  if (!BackgroundOf(task.Setting))
   {
     CheckHoldsTransparency(arguments.Output);
   }
-  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !BackgroundOf(task.Setting));
   ReadParts(task);
   OutputFiles files;
   const fs::path file = files.Add(arguments.Output);
@@ -247,7 +247,7 @@ void RunCompare(const Arguments& arguments)
     ++referenceRow;
   }
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !BackgroundOf(task.Setting));
   ReadParts(task);
 
   const fs::path folder = arguments.Output;
@@ -271,7 +271,7 @@ void RunBench(const Arguments& arguments)
 {
   const auto techniques = ChooseTechniques(arguments.Techniques, { "blend" });
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !BackgroundOf(task.Setting));
   ReadParts(task);
   OutputFiles files;
   const fs::path file = arguments.Output.empty() ? fs::path() : files.Add(arguments.Output);
@@ -307,7 +307,7 @@ void RunTrace(const Arguments& arguments)
 {
   CheckTraceSuffix(arguments.Output);
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !BackgroundOf(task.Setting));
   ReadParts(task);
   OutputFiles files;
   const fs::path file = files.Add(arguments.Output);
@@ -320,7 +320,7 @@ void RunTrace(const Arguments& arguments)
 StorageReport AccountScene(const Arguments& arguments)
 {
   Task task = MakeTask(arguments);
-  Stage stage(task.Setting.Size, task.Setting.Samples, !task.Setting.Behind);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !BackgroundOf(task.Setting));
   ReadParts(task);
   StorageReport report = AccountStorage(task.Title, { "the frame" }, TraceScene(task, stage), arguments.Storage);
   report.Title = task.Title;

@@ -69,6 +69,12 @@ Part MakePart(const std::string& name, vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+Background BackgroundOf(const Scene& scene)
+{
+  return scene.Behind.value_or(Color{ { 1, 1, 1 } });
+}
+
+//------------------------------------------------------------------------------
 void SetLook(const Part& part, const Color& color, double opacity, const std::optional<Color>& transmission)
 {
   part.Actor->GetProperty()->SetColor(color[0], color[1], color[2]);

@@ -64,7 +64,7 @@ struct Scene
   std::vector<Part> Parts;
   std::vector<Light> Lights; ///< none: a headlight
   View Eye;
-  Background Behind = Color{ { 1, 1, 1 } };
+  std::optional<Background> Behind; ///< not set: as a built-in scene wants it, else white
   std::array<int, 2> Size{ { 1280, 720 } };
   int Samples = 1; ///< of a pixel
 };
@@ -75,6 +75,8 @@ Part MakePart(const std::string& name, vtkPolyData* surface);
 
 /// Throws Failure as MakePart does.
 void CheckSurface(const std::string& name, vtkPolyData* surface);
+
+Background BackgroundOf(const Scene& scene);
 
 /// Gives a part its colour, its opacity and what it lets through of what lies behind it.
 void SetLook(const Part& part, const Color& color, double opacity, const std::optional<Color>& transmission);

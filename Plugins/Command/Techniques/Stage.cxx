@@ -143,8 +143,9 @@ int Stage::AddPass(const Scene& scene, const TechniqueChoice& technique, vtkRend
   player.Technique = technique;
   player.Pass = pass;
   player.Renderer = vtkSmartPointer<vtkRenderer>::New();
-  player.Renderer->SetBackground(scene.Behind.value_or(Color{ { 0, 0, 0 } }).data());
-  player.Renderer->SetBackgroundAlpha(scene.Behind ? 1 : 0);
+  const Background behind = BackgroundOf(scene);
+  player.Renderer->SetBackground(behind.value_or(Color{ { 0, 0, 0 } }).data());
+  player.Renderer->SetBackgroundAlpha(behind ? 1 : 0);
   player.Renderer->DrawOff();
   bool transmits = false;
   for (const Part& part : scene.Parts)
