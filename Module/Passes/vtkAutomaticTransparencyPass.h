@@ -15,6 +15,10 @@
  * - adaptive:nodes=8: as exact
  * - hybrid:layers=8, hybrid:layers=4: 120 and 72 per pixel
  * - weighted: 20 per pixel
+ * Where the driver has no storage buffers:
+ * - peel:method=bucket-sort: 256 per pixel
+ * - fourier:memory=fixed:coefficients=15: 156 per pixel
+ * - weighted: 20 per pixel
  *
  * The order of quality is that of the mean distance from the exact picture of three scenes (Documentation/Figures.md).
  * The time that is expected of a candidate, relative to exact, is that of a software rasterizer only until it has drawn

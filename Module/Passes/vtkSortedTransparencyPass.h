@@ -10,7 +10,7 @@
  * that of the fragments. All orders begin with objects, by the depth of the centres of their bounds along the view; of
  * equal depths, the later one in the renderer's order is in front:
  * - Object (the default): that alone. One drawing of the geometry.
- * - Centroid: the polygons of each object by their centroids, on the CPU (vtkDepthSortPolyData), only when the view's
+ * - Centroid: the polygons of each object by their centroids, on the CPU (vtkSortedPolygons), only when the view's
  * direction, the data or the transformation has changed. Of actors without a plain vtkPolyDataMapper, and of props that
  * are no actors, the polygons stay as they are, after a warning that names them. Takes the memory of the data once
  * more. Vertex attributes that were added to a mapper are not copied.

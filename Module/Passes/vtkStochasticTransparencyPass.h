@@ -70,9 +70,9 @@ public:
 
   ///@{
   /**
-   * Whether a pixel's colours are scaled to the opacity that they have together, which is known exactly (section 4 of
-   * the 2010 paper). On by default: much less noise, for a bias that disappears with more samples or frames. Off, each
-   * frame is right on average.
+   * Whether a pixel's colours are scaled to the opacity that they have together, which is known exactly (the alpha
+   * correction of the 2010 paper). On by default: much less noise, for a bias that disappears with more samples or
+   * frames. Off, each frame is right on average.
    */
   void SetAlphaCorrection(bool correction);
   vtkGetMacro(AlphaCorrection, bool);

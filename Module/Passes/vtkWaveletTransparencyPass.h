@@ -9,9 +9,8 @@
  * each a pixel and sample with fixed memory. They tell the mean of the absorbance over each of as many intervals of the
  * range of depths; in between it is interpolated.
  *
- * Surfaces of one pixel are told apart where an interval lies between them. Within an interval a fragment sees less of
- * the absorbance in front of it than there is: it is brighter than it should be, and never darker, and the
- * transmittance falls with depth without ringing.
+ * Surfaces of one pixel are told apart where an interval lies between them; nearer ones hide each other in part,
+ * whatever their order. The transmittance falls with depth without ringing.
  *
  * With fixed memory, Rank 5 has 64 coefficients in 16 targets, for which the geometry is drawn once more, and takes a
  * driver with 24 texture units.

@@ -7,6 +7,8 @@
 #ifndef AbsorbanceShader_h
 #define AbsorbanceShader_h
 
+#include "Reference.h"
+
 #include <string>
 #include <vector>
 
@@ -35,5 +37,8 @@ struct AbsorbanceVariant
 
 /// All that were compiled.
 const std::vector<AbsorbanceVariant>& AbsorbanceVariants();
+
+/// What one of them says that a pixel's fragments see, of one channel.
+Reference::Visibilities TextOf(const std::string& technique, int terms, bool half);
 
 #endif

@@ -451,11 +451,15 @@ double WaveletShare(int rank, double at, double before)
 {
   const int intervals = 2 << rank;
   // Of the step at `at`, over an interval.
-  const auto mean = [=](int interval)
-  { return interval < 0 ? 0.0 : std::clamp(interval + 1 - intervals * at, 0.0, 1.0); };
-  const int interval = std::min(static_cast<int>(intervals * before), intervals - 1);
-  const double passed = intervals * before - interval;
-  return (1 - passed) * mean(interval - 1) + passed * mean(interval);
+  const auto mean = [=](int interval) { return std::clamp(interval + 1 - intervals * at, 0.0, 1.0); };
+  const double fromMiddle = intervals * before - 0.5; // of the first one
+  if (fromMiddle < 0)
+  {
+    return 2 * intervals * before * mean(0);
+  }
+  const int interval = static_cast<int>(fromMiddle);
+  const double passed = fromMiddle - interval;
+  return (1 - passed) * mean(interval) + passed * mean(std::min(interval + 1, intervals - 1));
 }
 
 //------------------------------------------------------------------------------

@@ -119,7 +119,7 @@ double FourierShare(int coefficients, double at, double before);
 /// All, if the peak's slice lies before; within it, the part of the slice that does (Kim and Neumann 2001).
 double SliceShare(int slices, double at, double before);
 
-/// That of a step's means over 2^(rank + 1) intervals, from the one of the interval before to that of the own one
+/// Interpolated between a step's means over 2^(rank + 1) intervals, from middle to middle, and from 0 at 0
 /// (Aizenshtein, Smal, McGuire 2021, 2.3).
 double WaveletShare(int rank, double at, double before);
 

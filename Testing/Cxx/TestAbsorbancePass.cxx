@@ -38,27 +38,6 @@ void PrintTo(const Technique& technique, std::ostream* os)
   *os << technique.Name;
 }
 
-Reference::Visibilities TextOf(const std::string& technique, int terms, bool half)
-{
-  for (const AbsorbanceVariant& variant : AbsorbanceVariants())
-  {
-    if (variant.Technique == technique && variant.Terms == terms && variant.Half == half && variant.Channels == 1)
-    {
-      return [&variant](const std::vector<double>& depths, const std::vector<double>& alphas)
-      {
-        std::vector<Absorber> absorbers;
-        for (std::size_t i = 0; i < depths.size(); ++i)
-        {
-          absorbers.push_back({ static_cast<float>(depths[i]), static_cast<float>(alphas[i]) });
-        }
-        const std::vector<float> visibilities = variant(absorbers);
-        return std::vector<double>(visibilities.begin(), visibilities.end());
-      };
-    }
-  }
-  return {};
-}
-
 Technique Fourier(int coefficients)
 {
   const auto create = [coefficients]

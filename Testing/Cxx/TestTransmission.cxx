@@ -3,6 +3,7 @@
 
 // Transmission colours: surfaces that let through a part of each of red, green and blue, against pictures computed
 // channel by channel.
+#include "AbsorbanceShader.h"
 #include "RenderTest.h"
 
 #include <vtkActor.h>
@@ -12,6 +13,7 @@
 #include <vtkInformationDoubleVectorKey.h>
 #include <vtkLODProp3D.h>
 #include <vtkMapper.h>
+#include <vtkMomentTransparencyPass.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointGaussianMapper.h>
 #include <vtkProperty.h>
@@ -52,14 +54,12 @@ Technique Layers(const std::string& name, int layers, Tail tail)
 }
 
 // Sums of absorbance, with a pixel's own bounds. No channel gets more light than all fragments give together.
-Technique Absorbance(const std::string& technique, const std::string& option, int terms, bool corrected,
-  const std::function<double(int, double, double)>& share)
+Technique Absorbance(const std::string& technique, const std::string& option, const std::string& terms, bool corrected,
+  const Reference::Visibilities& visibilities)
 {
   const auto compute = [=](const std::vector<Reference::Fragment>& fragments)
   {
-    const auto shareOf = [=](double at, double before) { return share(terms, at, before); };
-    Reference::Pixel pixel =
-      Reference::CompositeAbsorbance(fragments, Reference::VisibilitiesOf(shareOf), {}, corrected);
+    Reference::Pixel pixel = Reference::CompositeAbsorbance(fragments, visibilities, {}, corrected);
     for (std::size_t c = 0; c < 3; ++c)
     {
       double light = 0;
@@ -71,8 +71,16 @@ Technique Absorbance(const std::string& technique, const std::string& option, in
     }
     return pixel;
   };
-  return { technique + std::to_string(terms) + (corrected ? "" : "Uncorrected"), technique,
-    { { option, std::to_string(terms) }, { "alpha_correction", corrected ? "on" : "off" } }, compute };
+  std::string name = technique + terms + (corrected ? "" : "Uncorrected");
+  name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+  return { name, technique, { { option, terms }, { "alpha_correction", corrected ? "on" : "off" } }, compute };
+}
+
+Technique Absorbance(const std::string& technique, const std::string& option, int terms, bool corrected,
+  const std::function<double(int, double, double)>& share)
+{
+  const auto shareOf = [=](double at, double before) { return share(terms, at, before); };
+  return Absorbance(technique, option, std::to_string(terms), corrected, Reference::VisibilitiesOf(shareOf));
 }
 
 // Those that keep three channels, each of which is what the technique's theory says for it alone.
@@ -106,7 +114,10 @@ std::vector<Technique> Colored()
     Absorbance("shadowmap", "slices", 32, true, Reference::SliceShare),
     Absorbance("wavelet", "rank", 1, true, Reference::WaveletShare),
     Absorbance("wavelet", "rank", 3, false, Reference::WaveletShare),
-    Absorbance("wavelet", "rank", 5, true, Reference::WaveletShare) };
+    Absorbance("wavelet", "rank", 5, true, Reference::WaveletShare),
+    Absorbance("moment", "moments", "power-6", true, TextOf("Moment", vtkMomentTransparencyPass::Power6, false)),
+    Absorbance("moment", "moments", "trigonometric-3", false,
+      TextOf("Moment", vtkMomentTransparencyPass::Trigonometric3, false)) };
 }
 
 // Of those, these.

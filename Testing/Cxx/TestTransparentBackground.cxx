@@ -105,7 +105,8 @@ TEST_P(TestTransparentBackground, IsWhatOpaqueOnesAreMadeOf)
   {
     EXPECT_EQ(most, 0);
   }
-  else if (this->Technique != "vtk-oit") // which leaves no opacity behind, and so is told of in README.md
+  else if (this->Technique !=
+    "vtk-oit") // which leaves no opacity behind, and so is told of in Documentation/Behaviour.md
   {
     const bool inBytes = this->Technique == "blend" || this->Technique == "vtk-peel"; // layer by layer
     EXPECT_LE(opacity, inBytes ? 2.5 : 1.5);

@@ -95,7 +95,7 @@ void passNode(INOUT(Visibility) v, float depth)
   EACH_NODE(PASS_NODE)
 }
 
-// vis at a depth (Eq. 6). Where fragments of equal depth have come in (v.tied), passNode follows.
+// vis at a depth (Eq. 6). Where fragments of equal depth have come in, passNode follows.
 Channels transmittanceBefore(INOUT(Visibility) v, float depth)
 {
   Channels before = Channels(1.0f);

@@ -5,7 +5,7 @@
 //
 // With exact visibilities, the weights vis(z) * opacity of a pixel's fragments add up to 1 - total transmittance.
 // ALPHA_CORRECTION 1 scales the colour so that those of approximate ones do, too (the alpha correction of Enderton et
-// al. 2010, section 3.3). Where nothing is hidden nothing is scaled.
+// al. 2010). Where nothing is hidden nothing is scaled.
 //
 // With three channels a fragment may add light without hiding anything, and then has no part in the weights by which
 // light is scaled: of a few surfaces close behind it, each of which seems to hide the others, they may be so small that

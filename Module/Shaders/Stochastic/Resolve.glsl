@@ -3,7 +3,7 @@
 
 // Stochastic/Resolve.glsl: a pixel's colour from its sums (Gather.glsl) over some rounds.
 //
-// With ALPHA_CORRECTION 1 (Enderton et al. 2010, section 4) the weights vis * opacity are scaled to add up to 1 - total
+// With ALPHA_CORRECTION 1 (Enderton et al. 2010) the weights vis * opacity are scaled to add up to 1 - total
 // transmittance, which is what they do on average: colour = sum(vis * opacity * colour) * (1 - transmittance) / sum(vis
 // * opacity) Noise is then left only where colours differ. With ALPHA_CORRECTION 0 the sums are taken as they are, and
 // have the right expectation.

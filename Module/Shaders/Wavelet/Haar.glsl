@@ -9,12 +9,13 @@
 // where Psi[n, k](x) = 2^(-n/2) max(0, 1/2 - |2^n x - k - 1/2|). The terms are chi and the -X: none is ever negative,
 // so that they add up in any order with no loss by cancellation.
 //
-// They tell the mean of A over each of 2^(WAVELET_RANK + 1) intervals. In between A is interpolated (2.3.2): it is the
-// mean of the interval before where an interval begins, and its own mean where it ends. So nothing is hidden at depth
-// 0, and A is no less at a farther depth.
+// They tell the mean of A over each of 2^(WAVELET_RANK + 1) intervals. In between A is interpolated (2.3.2): from 0 at
+// depth 0, where nothing is hidden, to the mean of the first interval in its middle, and from there on from middle to
+// middle. A is no less at a farther depth. Points at the ends of intervals instead of their middles would put all half
+// an interval farther: of 60 faint fragments in 16 intervals visibilities are then off by 0.028 on average, not 0.009.
 //
-// Interpolated like this A is a sum of steps of one interval each, as with slices (OpacityShadowMap/Slices.glsl): each
-// is the difference of the means of an interval and of the one before it. prepareTerms makes these of the terms.
+// Interpolated like this A is a sum of steps, as with slices (OpacityShadowMap/Slices.glsl): each is the difference of
+// the means of an interval and of the one before it. prepareTerms makes these of the terms.
 //
 // Valid C++, too.
 //
@@ -54,11 +55,14 @@ void basisAt(float depth, OUT(Basis) basis)
 
   float x = depth * float(WAVELET_INTERVALS);
   float interval = min(floor(x), float(WAVELET_INTERVALS - 1));
-#define SET_INTERVALS(i) basis.integral[i] = clamp(vec4(x - float(4 * i)) - vec4(0.0f, 1.0f, 2.0f, 3.0f), 0.0f, 1.0f);
+#define SET_INTERVALS(i) basis.integral[i] = clamp(vec4(x - float(4 * i)) - vec4(-0.5f, 0.5f, 1.5f, 2.5f), 0.0f, 1.0f);
   EACH_VECTOR(SET_INTERVALS)
-  // The mean of its own interval has the part of it behind the fragment, and is reached as far as the depth has passed.
+  basis.integral[0].x = min(2.0f * x, 1.0f);
+  // The mean of its own interval has the part of it behind the fragment, and that of the next one the rest.
   float passed = x - interval;
-  basis.own = passed * (1.0f - passed);
+  float reached = interval > 0.0f ? min(passed + 0.5f, 1.0f) : min(2.0f * passed, 1.0f);
+  float next = interval < float(WAVELET_INTERVALS - 1) ? max(passed - 0.5f, 0.0f) : 0.0f;
+  basis.own = (1.0f - passed) * reached + passed * next;
 }
 
 // Steps of a level, to those of the next one, which has half the intervals twice: the second half of each is above its
