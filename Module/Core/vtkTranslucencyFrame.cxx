@@ -257,10 +257,10 @@ bool vtkTranslucencyFrame::Gather(vtkFragmentStorage* storage)
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::UsePixels(
-  vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched)
+  vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched, bool zeroed)
 {
   const bool mayFetch = this->Pass->GetCriticalSection() == vtkTranslucencyPass::Automatic;
-  const std::string obstacle = this->Records->Reserve(pixels, words, memoryLimit, fetched, mayFetch);
+  const std::string obstacle = this->Records->Reserve(pixels, words, memoryLimit, fetched, mayFetch, zeroed);
   if (!obstacle.empty())
   {
     return this->Fail(obstacle);

@@ -87,7 +87,10 @@ public:
   /// They lie in buffers, or, if fetched has words, in colours that fragments fetch (Shaders/Common/PixelTargets.glsl),
   /// which is several times as fast on the software rasterizer: where the driver can, the critical section is chosen
   /// automatically, a pixel has one sample, and all of the picture's records find room.
-  bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched = { 0, 0 });
+  ///
+  /// Words are what was there before, or 0 if zeroed and they lie in buffers.
+  bool UsePixels(vtkTranslucencyPixels& pixels, int words, double memoryLimit, const Fetched& fetched = { 0, 0 },
+    bool zeroed = false);
 
   /// Whether the records last asked for lie in colours.
   bool FetchesRecords() const;

@@ -213,7 +213,7 @@ bool vtkTranslucencyFrameShaders::PrepareGathering(const vtkTranslucencyGatherin
   }
   vtkTranslucencyMapperHook::GatherText text;
   text.Call = GatherCall(gathering.Outputs, gathering.Critical, !mean.empty());
-  text.Stores = gathering.Critical;
+  text.Stores = gathering.Critical || gathering.Atomic;
   text.Fetches = gathering.Critical && this->Current.RecordTargets > 0;
   text.Rejects = gathering.Rejects;
   vtkTranslucencyShader shader;

@@ -41,7 +41,7 @@ vtkTranslucencyPixels::Size vtkTranslucencyPixels::GetSize(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyPixels::Begin(const Size& size)
+bool vtkTranslucencyPixels::Begin(const Size& size, bool zeroed)
 {
   this->Targets.Release();
   if (size.Locks == 0)
@@ -55,6 +55,10 @@ bool vtkTranslucencyPixels::Begin(const Size& size)
     return false;
   }
   this->Counts.Clear(size.Counts);
+  if (zeroed)
+  {
+    this->Records.Clear(size.Records);
+  }
   this->Counts.BindStorage(STORAGE_BINDING_TABLE);
   this->Records.BindStorage(STORAGE_BINDING_FRAGMENTS);
   if (size.Locks > 0)

@@ -34,8 +34,9 @@ public:
   };
   static Size GetSize(const std::array<int, 4>& tile, int samples, int words, bool locks);
 
-  /// Makes room in buffers, with all counts 0, and binds it. False if there is no memory for it.
-  bool Begin(const Size& size);
+  /// Makes room in buffers, with all counts 0, and all words if zeroed, and binds it. False if there is no memory for
+  /// it.
+  bool Begin(const Size& size, bool zeroed);
 
   /// A record in colours: its words, of which the first ones are EMPTY_NUMBER before stage 0. Later stages go on with
   /// what that has left. No words: it lies in buffers in any case.

@@ -21,7 +21,7 @@ vtkTranslucencyRecords::vtkTranslucencyRecords(
 
 //------------------------------------------------------------------------------
 std::string vtkTranslucencyRecords::Reserve(vtkTranslucencyPixels& pixels, int words, double memoryLimit,
-  const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch)
+  const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch, bool zeroed)
 {
   using Size = vtkTranslucencyPixels::Size;
   this->Tiles.UseWholeViewport();
@@ -51,7 +51,7 @@ std::string vtkTranslucencyRecords::Reserve(vtkTranslucencyPixels& pixels, int w
         return "a memory limit of " + std::to_string(limit) + " bytes is too small, expected at least " +
           std::to_string(size.Sum()) + " bytes for a pixel and its neighbours";
       }
-      if (pixels.Begin(size))
+      if (pixels.Begin(size, zeroed))
       {
         return "";
       }

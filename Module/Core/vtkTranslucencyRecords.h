@@ -27,7 +27,7 @@ public:
   /// What vtkTranslucencyFrame::UsePixels does, in colours only if they may be. Gives what is wrong, empty if nothing
   /// is.
   std::string Reserve(vtkTranslucencyPixels& pixels, int words, double memoryLimit,
-    const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch);
+    const vtkTranslucencyPixels::Fetched& fetched, bool mayFetch, bool zeroed);
 
   bool AreFetched() const { return this->Fetched != nullptr; }
 

@@ -14,7 +14,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 const char* const BoundsDefines[] = { "ABSORBANCE_BOUNDS_FRAGMENTS", "ABSORBANCE_BOUNDS_PROPS" };
-const char* const Precisions[] = { "TERM_PRECISION_SINGLE", "TERM_PRECISION_HALF" };
+const char* const Precisions[] = { "TERM_PRECISION_SINGLE", "TERM_PRECISION_HALF", "TERM_PRECISION_SHARED_EXPONENT" };
 const char* const DepthWarps[] = { "DEPTH_WARP_LINEAR", "DEPTH_WARP_LOGARITHMIC" };
 constexpr int TermsOfVector = 4;
 constexpr int MostOutputs = 8;         // of a drawing
@@ -84,15 +84,22 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
   vtkTranslucencyOption number = this->Technique.Number;
   number.Get = [this] { return this->Number; };
   number.Set = [this](double value) { this->SetSums(static_cast<int>(value)); };
+  std::vector<std::string> precisions{ "single", "half" };
+  std::string precisionHelp =
+    "the floats in which memory fixed holds the sums: of 32 bits, or of 16, which take half the memory and are coarser";
+  if (!this->Technique.Negative)
+  {
+    precisions.emplace_back("shared-exponent");
+    precisionHelp += "; or words of a buffer, of 9-9-9-5 bits for transmission colours, which then are told apart";
+  }
   std::vector<vtkTranslucencyOption> options{ number, this->GetMemoryOption(),
     { "Bounds", "bounds", Kind::Choice, Fragments, 0, 1, { "fragments", "props" },
       "the range of depths that is told apart: each pixel's own, for which fixed memory draws the geometry once more, "
       "or that of all props",
       [this] { return this->GetBounds(); }, [this](double value) { this->SetBounds(static_cast<int>(value)); } },
-    { "Precision", "precision", Kind::Choice, Single, 0, 1, { "single", "half" },
-      "the floats in which memory fixed holds the sums: of 32 bits, or of 16, which take half the memory and are "
-      "coarser",
-      [this] { return this->GetPrecision(); }, [this](double value) { this->SetPrecision(static_cast<int>(value)); } },
+    { "Precision", "precision", Kind::Choice, Single, 0, static_cast<double>(precisions.size() - 1), precisions,
+      precisionHelp, [this] { return this->GetPrecision(); },
+      [this](double value) { this->SetPrecision(static_cast<int>(value)); } },
     { "DepthWarp", "depth_warp", Kind::Choice, Linear, 0, 1, { "linear", "logarithmic" },
       "how depths are spread over that range: evenly, or near ones farther apart, in perspectives",
       [this] { return this->GetDepthWarp(); }, [this](double value) { this->SetDepthWarp(static_cast<int>(value)); } },
@@ -108,9 +115,23 @@ std::vector<vtkTranslucencyOption> vtkAbsorbancePass::GetOptions()
 }
 
 //------------------------------------------------------------------------------
+bool vtkAbsorbancePass::UsesInFixedMemory(const std::string& name) const
+{
+  return name == "MemoryLimit" && this->Precision == SharedExponent;
+}
+
+//------------------------------------------------------------------------------
 bool vtkAbsorbancePass::UsesStorage(const vtkTranslucencyCapabilities& capabilities) const
 {
-  return this->Memory == Variable && capabilities.MissingForStorage.empty();
+  return this->Memory == Variable
+    ? capabilities.MissingForStorage.empty()
+    : this->Precision == SharedExponent && this->FindMissingForWords(capabilities).empty();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkAbsorbancePass::FindMissingForWords(const vtkTranslucencyCapabilities& capabilities) const
+{
+  return capabilities.MissingForStorage.empty() ? capabilities.MissingForRetries : capabilities.MissingForStorage;
 }
 
 //------------------------------------------------------------------------------
@@ -128,23 +149,38 @@ std::string vtkAbsorbancePass::FindMissing(const vtkTranslucencyCapabilities& ca
 void vtkAbsorbancePass::RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
-  const std::string missing = window ? this->GetCapabilities(window).MissingForStorage : "";
-  std::string warning;
-  if (this->Memory == Variable && !missing.empty())
+  if (window)
   {
-    warning = "the driver lacks " + missing + ", which Memory Variable (0) needs; drawing as with Fixed (1)";
+    const vtkTranslucencyCapabilities& capabilities = this->GetCapabilities(window);
+    const std::string warning = this->FindConflict(capabilities);
+    if (!warning.empty() && warning != this->Warning)
+    {
+      vtkWarningMacro(<< warning);
+    }
+    this->Warning = warning;
+    this->HasWords = this->Memory == Fixed && this->UsesStorage(capabilities);
   }
-  else if (this->Memory == Variable && this->Precision != Single)
-  {
-    warning = "Precision is Half (1), but Memory is Variable (0), which has the sums in registers: expected Memory "
-              "Fixed (1), or Precision Single (0)";
-  }
-  if (!warning.empty() && warning != this->Warning)
-  {
-    vtkWarningMacro(<< warning);
-  }
-  this->Warning = warning;
   this->Superclass::RenderTranslucent(state, volumetricPass);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkAbsorbancePass::FindConflict(const vtkTranslucencyCapabilities& capabilities) const
+{
+  if (this->Memory == Variable && !capabilities.MissingForStorage.empty())
+  {
+    return "the driver lacks " + capabilities.MissingForStorage +
+      ", which Memory Variable (0) needs; drawing as with Fixed (1)";
+  }
+  if (this->Memory == Variable && this->Precision != Single)
+  {
+    return "Precision is " + std::to_string(this->Precision) +
+      ", but Memory is Variable (0), which has the sums in registers: expected Memory Fixed (1), or Precision Single "
+      "(0)";
+  }
+  const std::string missing = this->FindMissingForWords(capabilities);
+  return this->Precision == SharedExponent && !missing.empty()
+    ? "the driver lacks " + missing + ", which Precision SharedExponent (2) needs; drawing as with Single (0)"
+    : "";
 }
 
 //------------------------------------------------------------------------------
@@ -191,13 +227,45 @@ std::vector<int> vtkAbsorbancePass::GetTermFormats() const
 }
 
 //------------------------------------------------------------------------------
+// Fills the words, or the targets, for which the stage has all that is the same for each of their drawings.
+bool vtkAbsorbancePass::DrawTerms(
+  vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Gathering& gathering, vtkTranslucencyFrame::Stage& stage)
+{
+  stage.Number = 1;
+  if (this->HasWords)
+  {
+    stage.StoresOnly = true;
+    return frame.Draw(gathering, stage);
+  }
+  const std::vector<int> formats = this->GetTermFormats();
+  bool drawn = true;
+  for (std::size_t first = 0; first < formats.size(); first += MostOutputs)
+  {
+    vtkTranslucencyTargets& targets = this->Terms[first / MostOutputs];
+    stage.Targets = &targets;
+    const auto begin = formats.begin() + first;
+    const std::vector<int> drawnFormats(begin, std::min(begin + MostOutputs, formats.end()));
+    drawn = drawn && frame.UseTargets(targets, drawnFormats, this->Precision == Half) && frame.Draw(gathering, stage);
+    stage.Number = 3;
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
 bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
 {
-  const std::vector<int> formats = this->GetTermFormats();
-  const int vectors = static_cast<int>(formats.size());
-  vtkTranslucencyFrame::Gathering gathering{ this->Technique.Folder + "/Gather.glsl", this->GetDefines(this->Precision),
-    std::clamp(vectors, 2, MostOutputs) };
+  const int vectors = this->GetTermVectors();
+  const int precision = this->Precision == SharedExponent && !this->HasWords ? Single : this->Precision;
+  const std::vector<int> formats = frame.GetChannels() == 3 ? std::vector<int>{ 4, 4, 4 } : std::vector<int>{ 4, 1 };
+  vtkTranslucencyFrame::Gathering gathering{ this->Technique.Folder + "/Gather.glsl", this->GetDefines(precision),
+    this->HasWords ? static_cast<int>(formats.size()) : std::clamp(vectors, 2, MostOutputs) };
   gathering.Values["GATHER_OUTPUTS"] = std::to_string(gathering.Outputs);
+  gathering.Atomic = this->HasWords;
+  if (this->HasWords &&
+    !frame.UsePixels(this->Words, TermsOfVector * vectors, this->Storage->GetMemoryLimit(), { 0, 0 }, true))
+  {
+    return false;
+  }
 
   // One text reads all targets, each in the stage that needs it. In the others its sampler sees Colors, which is not
   // drawn to then: a sampler that sees nothing may meet one of another type at its unit.
@@ -208,7 +276,7 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
     {
       read.push_back({ "depthBounds", bounds ? &this->DepthBounds : &this->Colors, 0 });
     }
-    for (int i = 0; i < vectors; ++i)
+    for (int i = 0; i < vectors && !this->HasWords; ++i)
     {
       read.push_back({ "terms" + std::to_string(i), terms ? &this->Terms[i / MostOutputs] : &this->Colors,
         terms ? i % MostOutputs : 0 });
@@ -222,6 +290,9 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
   bounds.Blend = Blending::Maximum;
   bounds.Clear = { { -2, -2, -2, -2 } };
   bounds.Inputs = inputs(false, false);
+  vtkTranslucencyFrame::Stage terms;
+  terms.Inputs = inputs(true, false);
+  terms.Values = values;
   vtkTranslucencyFrame::Stage colors;
   colors.Number = 2;
   colors.Targets = &this->Colors;
@@ -230,28 +301,19 @@ bool vtkAbsorbancePass::RenderFixed(vtkTranslucencyFrame& frame)
   colors.Inputs = inputs(true, true);
   colors.Values = values;
 
-  bool drawn = frame.UseTargets(this->Colors, { 4, 1 }) &&
-    (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds)));
-  for (int first = 0; first < vectors; first += MostOutputs)
-  {
-    vtkTranslucencyTargets& targets = this->Terms[first / MostOutputs];
-    vtkTranslucencyFrame::Stage terms;
-    terms.Number = first == 0 ? 1 : 3;
-    terms.Targets = &targets;
-    terms.Inputs = inputs(true, false);
-    terms.Values = values;
-    const auto begin = formats.begin() + first;
-    drawn = drawn &&
-      frame.UseTargets(targets, { begin, std::min(begin + MostOutputs, formats.end()) }, this->Precision == Half) &&
-      frame.Draw(gathering, terms);
-  }
-
   std::vector<vtkTranslucencyFrame::Input> sums{ { "gatheredColors", &this->Colors, 0 } };
-  if (this->AlphaCorrection)
+  if (formats.size() == 3)
+  {
+    sums.push_back({ "gatheredWeights", &this->Colors, 1 });
+    sums.push_back({ "gatheredLight", &this->Colors, 2 });
+  }
+  else if (this->AlphaCorrection)
   {
     sums.push_back({ "gatheredWeights", &this->Colors, 1 });
   }
-  return drawn && frame.Draw(gathering, colors) &&
+  return frame.UseTargets(this->Colors, formats) &&
+    (this->Bounds == Props || (frame.UseTargets(this->DepthBounds, { 2 }) && frame.Draw(gathering, bounds))) &&
+    this->DrawTerms(frame, gathering, terms) && frame.Draw(gathering, colors) &&
     frame.Composite("Common/CompositeColors.glsl", this->GetCorrection(), sums);
 }
 
@@ -286,13 +348,14 @@ bool vtkAbsorbancePass::ResolveLists(vtkTranslucencyFrame& frame)
 vtkTypeInt64 vtkAbsorbancePass::GetTechniqueBytes()
 {
   return this->Superclass::GetTechniqueBytes() + this->DepthBounds.GetBytes() + this->Terms[0].GetBytes() +
-    this->Terms[1].GetBytes() + this->Colors.GetBytes();
+    this->Terms[1].GetBytes() + this->Words.GetBytes() + this->Colors.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkAbsorbancePass::ReleaseTechniqueResources(bool contextAlive)
 {
   this->Superclass::ReleaseTechniqueResources(contextAlive);
+  this->Words.Release(contextAlive);
   for (vtkTranslucencyTargets* targets : { &this->DepthBounds, &this->Terms[0], &this->Terms[1], &this->Colors })
   {
     targets->Release(contextAlive);

@@ -15,7 +15,7 @@
  *
  * Memory Fixed: blended targets of floats, each pixel and sample the same, however many fragments there are:
  * 0. if Bounds is Fragments, the nearest and the farthest depth of a pixel (8 bytes);
- * 1. the sums (4 bytes each, or 2 where Precision is Half);
+ * 1. the sums (4 bytes each, or 2 where Precision is Half), in targets or in a buffer (Precision);
  * 2. the geometry once more: the fragments' colours, weighted with opacity and vis(z), with the total transmittance (16
  * bytes), and the weights (4 bytes);
  * 3. composite.
@@ -29,14 +29,16 @@
  * Lists too long for a driver's loops (some 20,000 fragments of a pixel) are sorted and drawn exactly.
  *
  * Transmission colours (SetTransmissionColor): Variable sums the absorbances of red, green and blue each, and corrects
- * each channel. Light of what hides nothing is never more than all fragments give together. Fixed takes their mean:
- * three times the terms, with three transmittances, fit into the 8 targets of a drawing for few terms only.
+ * each channel. Light of what hides nothing is never more than all fragments give together. So does Fixed with
+ * SharedExponent. In targets Fixed takes their mean: three times the terms, with three transmittances, fit into the 8
+ * targets of a drawing for few terms only.
  * Documentation/Figures.md has errors and times, also of transmission colours.
  */
 #ifndef vtkAbsorbancePass_h
 #define vtkAbsorbancePass_h
 
 #include "vtkTranslucencyOption.h"  // for Technique
+#include "vtkTranslucencyPixels.h"  // for Words
 #include "vtkTranslucencyTargets.h" // for DepthBounds, Terms, Colors
 #include "vtkVisibilityFunctionPass.h"
 
@@ -71,14 +73,21 @@ public:
   enum PrecisionType
   {
     Single = 0,
-    Half = 1
+    Half = 1,
+    SharedExponent = 2
   };
 
   ///@{
   /**
-   * What Memory Fixed holds the sums in: floats of 32 bits (Single, the default) or of 16 (Half), which take half the
-   * room and are rounded at each fragment: Documentation/Figures.md has what that loses. Variable, which has them in
-   * registers, warns of Half. Another value is an error and changes nothing.
+   * What Memory Fixed holds the sums in:
+   * - Single (the default): blended targets of 32-bit floats.
+   * - Half: the same of 16-bit floats, which take half the room and are rounded at each fragment.
+   * - SharedExponent, of techniques whose sums are never negative (wavelets and slices): words in a buffer, to which
+   *   fragments add by atomic operations. Where props have transmission colours, a word holds the sums of red, green
+   * and blue, in 9 bits each with an exponent of 5 that they share, which is rounded at each fragment; else a float.
+   * The drawing for the sums draws no colours, and touches only those that a fragment adds to. Where the driver has no
+   *   storage buffers, or does not tell helper invocations, Single is taken, after a warning.
+   * Variable, which has the sums in registers, warns of all but Single. Another value is an error and changes nothing.
    */
   void SetPrecision(int precision);
   vtkGetMacro(Precision, int);
@@ -115,7 +124,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
-  bool KeepsTransmissionColors() const override { return this->KeepsFragments(); }
+  bool KeepsTransmissionColors() const override { return this->KeepsFragments() || this->HasWords; }
 
 protected:
   /**
@@ -126,6 +135,7 @@ protected:
     vtkTranslucencyOption Number; ///< without Get and Set
     std::string Folder;           ///< of the shaders: Gather.glsl, Resolve.glsl, ResolveShort.glsl
     std::string Define;           ///< by which they know the number
+    bool Negative = true;         ///< whether sums may be
   };
   explicit vtkAbsorbancePass(const Sums& sums);
   ~vtkAbsorbancePass() override;
@@ -141,6 +151,7 @@ protected:
   virtual int GetTermCount() const { return this->Number; }
 
   bool KeepsFragments() const override { return this->Superclass::KeepsFragments() && this->HasStorage; }
+  bool UsesInFixedMemory(const std::string& name) const override;
   bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
   std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const override;
   void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass) override;
@@ -164,12 +175,18 @@ private:
   const Sums Technique;
 
   vtkTranslucencyFrame::Defines GetDefines(int precision) const;
+  std::string FindMissingForWords(const vtkTranslucencyCapabilities& capabilities) const;
+  std::string FindConflict(const vtkTranslucencyCapabilities& capabilities) const;
+  bool DrawTerms(
+    vtkTranslucencyFrame& frame, const vtkTranslucencyFrame::Gathering& gathering, vtkTranslucencyFrame::Stage& stage);
   std::vector<int> GetTermFormats() const;
   int GetTermVectors() const;
   vtkTranslucencyFrame::Defines GetCorrection() const;
 
   vtkTranslucencyTargets DepthBounds;
   std::array<vtkTranslucencyTargets, 2> Terms; // of a drawing each
+  vtkTranslucencyPixels Words;
+  bool HasWords = false; // whether the sums of what is being drawn lie there
   vtkTranslucencyTargets Colors;
   std::string Warning; // the last one, of how Memory and what else was asked for don't go together
 

@@ -13,7 +13,7 @@ vtkOpacityShadowMapPass::vtkOpacityShadowMapPass()
                           "slices of equal depth in which absorbance is summed; more tell nearer fragments apart and "
                           "take memory and time",
                           {}, {} },
-      "OpacityShadowMap", "SLICES" })
+      "OpacityShadowMap", "SLICES", false })
 {
 }
 VTK_ABI_NAMESPACE_END

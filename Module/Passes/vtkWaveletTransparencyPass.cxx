@@ -13,7 +13,7 @@ vtkWaveletTransparencyPass::vtkWaveletTransparencyPass()
       { { "Rank", "rank", vtkTranslucencyOption::Kind::Integer, 3, 1, 5, {},
           "the finest level of wavelets; each one more tells fragments half as far apart and doubles the coefficients",
           {}, {} },
-        "Wavelet", "WAVELET_RANK" })
+        "Wavelet", "WAVELET_RANK", false })
 {
 }
 VTK_ABI_NAMESPACE_END

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Module/Shaders/Fourier, OpacityShadowMap, Wavelet and Moment, compiled as C++: the text that the GPU runs, once for
- * each number of terms that CMakeLists.txt lists, of channels, and for sums in 32 bits and in 16.
+ * each number of terms that CMakeLists.txt lists, of channels, and for sums in 32 bits, in 16, and with a shared
+ * exponent.
  */
 #ifndef AbsorbanceShader_h
 #define AbsorbanceShader_h
@@ -12,11 +13,12 @@
 #include <string>
 #include <vector>
 
-/// Its depth is relative, 0 to 1.
+/// Its depth is relative, 0 to 1. Alpha is that of the last channel.
 struct Absorber
 {
   float Depth;
   float Alpha;
+  std::vector<float> Others = {}; // of the two first channels; empty: 1 - Alpha, and 0
 };
 
 struct AbsorbanceVariant
@@ -24,7 +26,8 @@ struct AbsorbanceVariant
   std::string Technique; // Fourier, Slices, Wavelet or Moment
   int Terms;             // pairs of cosine and sine, slices, the rank, or vtkMomentTransparencyPass::Moments
   int Channels;
-  bool Half; // sums in 16 bits
+  bool Half;   // sums in 16 bits
+  bool Shared; // sums of 9 bits, with an exponent for all channels
 
   /// Of each, in its last channel; what hides in the others is different. Overestimation is that of moments.
   std::vector<float> (*GetVisibilities)(const std::vector<Absorber>& absorbers, float overestimation);
@@ -38,7 +41,10 @@ struct AbsorbanceVariant
 /// All that were compiled.
 const std::vector<AbsorbanceVariant>& AbsorbanceVariants();
 
-/// What one of them says that a pixel's fragments see, of one channel.
+/// The variant of one channel, or with a shared exponent that of three.
+const AbsorbanceVariant& FindVariant(const std::string& technique, int terms, bool half, bool shared);
+
+/// What the variant of one channel says that a pixel's fragments see.
 Reference::Visibilities TextOf(const std::string& technique, int terms, bool half);
 
 #endif

@@ -104,7 +104,9 @@ struct Setup
   {
     return std::string(this->Memory == vtkAbsorbancePass::Fixed ? "Fixed" : "Variable") +
       (this->Bounds == vtkAbsorbancePass::Fragments ? "Fragments" : "Props") + (this->Corrected ? "" : "Uncorrected") +
-      (this->Precision == vtkAbsorbancePass::Half ? "Half" : "") +
+      (this->Precision == vtkAbsorbancePass::Half                ? "Half"
+          : this->Precision == vtkAbsorbancePass::SharedExponent ? "Words"
+                                                                 : "") +
       (this->Samples > 0 ? std::to_string(this->Samples) : "");
   }
 };
@@ -250,6 +252,15 @@ INSTANTIATE_TEST_SUITE_P(Matrix, TestAbsorbancePass,
     testing::ValuesIn(Setups())),
   [](const auto& info) { return std::get<0>(info.param).Name + std::get<1>(info.param).GetName(); });
 
+// Sums in words, of those that are never negative; of one channel they are floats.
+INSTANTIATE_TEST_SUITE_P(Words, TestAbsorbancePass,
+  testing::Combine(testing::Values(Slices(5), Slices(32), Wavelet(1), Wavelet(3), Wavelet(5)),
+    testing::Values(
+      Setup{ vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Fragments, true, 0, vtkAbsorbancePass::SharedExponent },
+      Setup{ vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Props, false, 0, vtkAbsorbancePass::SharedExponent },
+      Setup{ vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Fragments, true, 4, vtkAbsorbancePass::SharedExponent })),
+  [](const auto& info) { return std::get<0>(info.param).Name + std::get<1>(info.param).GetName(); });
+
 //------------------------------------------------------------------------------
 using TestAbsorbancePassOf = RenderTest;
 
@@ -301,22 +312,60 @@ TEST_F(TestAbsorbancePassOf, EitherMemoryDrawsTheSame)
 
 //------------------------------------------------------------------------------
 // Fragment by fragment, to what floats tell: each shines in one channel of one picture, drawn in floats.
-TEST_F(TestAbsorbancePassOf, VisibilitiesAreThoseOfTheText)
+class TestVisibilities : public RenderTest
 {
-  constexpr int Channels = 3;
-  constexpr int Count = 3 * Channels;
-  constexpr double Opacities[] = { 0.25, 0.375, 0.125, 0.5, 0.0625, 0.625, 0.25, 0.1875, 0.5 }; // as half floats, too
-  AnalyticScene scene;
-  scene.Width = scene.Height = 8;
-  std::vector<double> depths;
-  std::vector<double> alphas;
-  for (int i = 0; i < Count; ++i)
+protected:
+  static constexpr int Channels = 3;
+  static constexpr int Count = 3 * Channels;
+
+  /// Opacities are half floats, too.
+  TestVisibilities()
   {
-    const int place = 5 * i % Count; // in any order
-    depths.push_back(static_cast<double>(place * place) / ((Count - 1) * (Count - 1)));
-    alphas.push_back(Opacities[i]);
-    scene.Translucent.push_back({ { 0, 0, scene.Width, scene.Height, 0.25 + depths.back() / 2, {}, alphas.back() } });
+    constexpr double Opacities[] = { 0.25, 0.375, 0.125, 0.5, 0.0625, 0.625, 0.25, 0.1875, 0.5 };
+    this->Scene.Width = this->Scene.Height = 8;
+    for (int i = 0; i < Count; ++i)
+    {
+      const int place = 5 * i % Count; // in any order
+      this->Depths.push_back(static_cast<double>(place * place) / ((Count - 1) * (Count - 1)));
+      this->Alphas.push_back(Opacities[i]);
+      this->Scene.Translucent.push_back(
+        { { 0, 0, this->Scene.Width, this->Scene.Height, 0.25 + this->Depths.back() / 2, {}, Opacities[i] } });
+    }
   }
+
+  /// Of fragment i in channel i % 3.
+  std::vector<double> Measure(
+    const std::function<vtkSmartPointer<vtkAbsorbancePass>()>& create, int memory, int precision) const
+  {
+    std::vector<double> visibilities;
+    for (int first = 0; first < Count; first += Channels)
+    {
+      AnalyticScene shining = this->Scene;
+      for (int channel = 0; channel < Channels; ++channel)
+      {
+        shining.Translucent[first + channel][0].Rgb[channel] = 1;
+      }
+      const auto pass = create();
+      pass->SetMemory(memory);
+      pass->SetPrecision(precision);
+      pass->AlphaCorrectionOff();
+      const std::array<float, 4> drawn = DrawInFloats(shining, pass);
+      EXPECT_EQ(pass->GetStatistics()->GetFallback(), "");
+      for (int channel = 0; channel < Channels; ++channel)
+      {
+        visibilities.push_back(drawn[channel] / this->Alphas[first + channel]);
+      }
+    }
+    return visibilities;
+  }
+
+  AnalyticScene Scene;
+  std::vector<double> Depths;
+  std::vector<double> Alphas;
+};
+
+TEST_F(TestVisibilities, AreThoseOfTheText)
+{
   for (const Technique& technique : { Fourier(4), Slices(16), Wavelet(1), Wavelet(2), Wavelet(3), Wavelet(4),
          Wavelet(5), Moments(0), Moments(1), Moments(2), Moments(3), Moments(4), Moments(5) })
   {
@@ -325,27 +374,44 @@ TEST_F(TestAbsorbancePassOf, VisibilitiesAreThoseOfTheText)
            std::pair(vtkAbsorbancePass::Fixed, vtkAbsorbancePass::Half) })
     {
       const bool half = precision == vtkAbsorbancePass::Half;
-      const std::vector<double> expected = (half ? technique.Rounded : technique.Exact)(depths, alphas);
-      for (int first = 0; first < Count; first += Channels)
+      const std::vector<double> expected = (half ? technique.Rounded : technique.Exact)(this->Depths, this->Alphas);
+      const std::vector<double> measured = this->Measure(technique.New, memory, precision);
+      for (int i = 0; i < Count; ++i)
       {
-        AnalyticScene shining = scene;
-        for (int channel = 0; channel < Channels; ++channel)
-        {
-          shining.Translucent[first + channel][0].Rgb[channel] = 1;
-        }
-        const auto pass = technique.New();
-        pass->SetMemory(memory);
-        pass->SetPrecision(precision);
-        pass->AlphaCorrectionOff();
-        const std::array<float, 4> drawn = DrawInFloats(shining, pass);
-        ASSERT_EQ(pass->GetStatistics()->GetFallback(), "") << technique.Name;
-        for (int channel = 0; channel < Channels; ++channel)
-        {
-          const int i = first + channel;
-          EXPECT_NEAR(drawn[channel] / alphas[i], expected[i], half ? 1e-2 : 1e-3)
-            << technique.Name << ", memory " << memory << ", precision " << precision << ", fragment " << i;
-        }
+        EXPECT_NEAR(measured[i], expected[i], half ? 1e-2 : 1e-3)
+          << technique.Name << ", memory " << memory << ", precision " << precision << ", fragment " << i;
       }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Channels that hide differently share the exponents of their sums.
+TEST_F(TestVisibilities, InWordsAreThoseOfTheText)
+{
+  for (int i = 0; i < Count; ++i)
+  {
+    this->Scene.Translucent[i][0].Transmission = { { 0.25 * (i % 3), 0.125 * (i % 5), 0.5 * (i % 2) } };
+  }
+  for (const auto& [technique, name, terms] :
+    { std::tuple(Slices(16), "Slices", 16), std::tuple(Wavelet(1), "Wavelet", 1), std::tuple(Wavelet(2), "Wavelet", 2),
+      std::tuple(Wavelet(3), "Wavelet", 3), std::tuple(Wavelet(4), "Wavelet", 4),
+      std::tuple(Wavelet(5), "Wavelet", 5) })
+  {
+    const AbsorbanceVariant& text = FindVariant(name, terms, false, true);
+    const std::vector<double> measured =
+      this->Measure(technique.New, vtkAbsorbancePass::Fixed, vtkAbsorbancePass::SharedExponent);
+    for (int i = 0; i < Count; ++i)
+    {
+      std::vector<Absorber> absorbers;
+      for (int j = 0; j < Count; ++j)
+      {
+        const Reference::Color& transmission = this->Scene.Translucent[j][0].Transmission;
+        const auto opacity = [&](int channel)
+        { return static_cast<float>(this->Alphas[j] * (1 - transmission[channel % Channels])); };
+        absorbers.push_back({ static_cast<float>(this->Depths[j]), opacity(i), { opacity(i + 1), opacity(i + 2) } });
+      }
+      EXPECT_NEAR(measured[i], text(absorbers)[i], 1e-2) << technique.Name << ", fragment " << i;
     }
   }
 }
@@ -465,6 +531,7 @@ TEST_F(TestAbsorbancePassOf, BadValuesAreErrorsAndChangeNothing)
     { [&] { map->SetMemory(2); }, "Memory is 2, expected variable (0) or fixed (1)" },
     { [&] { fourier->SetBounds(-1); }, "Bounds is -1, expected fragments (0) or props (1)" },
     { [&] { fourier->SetPrecision(2); }, "Precision is 2, expected single (0) or half (1)" },
+    { [&] { wavelet->SetPrecision(3); }, "Precision is 3, expected single (0), half (1) or shared-exponent (2)" },
     { [&] { fourier->SetDepthWarp(2); }, "DepthWarp is 2, expected linear (0) or logarithmic (1)" },
     { [&] { wavelet->SetRank(0); }, "Rank is 0, expected 1 to 5" },
     { [&] { wavelet->SetRank(6); }, "Rank is 6, expected 1 to 5" },

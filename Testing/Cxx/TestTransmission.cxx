@@ -83,6 +83,16 @@ Technique Absorbance(const std::string& technique, const std::string& option, in
   return Absorbance(technique, option, std::to_string(terms), corrected, Reference::VisibilitiesOf(shareOf));
 }
 
+// The same in fixed memory, of words with 9 bits for each channel's sum. What the rounding of each fragment loses in
+// these scenes of up to 400 layers is part of it; TestAbsorbancePass compares with the rounded sums.
+Technique InWords(Technique technique)
+{
+  technique.Name += "Words";
+  technique.Options.insert(technique.Options.end(), { { "memory", "fixed" }, { "precision", "shared-exponent" } });
+  technique.Bound += 10;
+  return technique;
+}
+
 // Those that keep three channels, each of which is what the technique's theory says for it alone.
 std::vector<Technique> Colored()
 {
@@ -115,6 +125,10 @@ std::vector<Technique> Colored()
     Absorbance("wavelet", "rank", 1, true, Reference::WaveletShare),
     Absorbance("wavelet", "rank", 3, false, Reference::WaveletShare),
     Absorbance("wavelet", "rank", 5, true, Reference::WaveletShare),
+    InWords(Absorbance("wavelet", "rank", 1, true, Reference::WaveletShare)),
+    InWords(Absorbance("wavelet", "rank", 3, false, Reference::WaveletShare)),
+    InWords(Absorbance("wavelet", "rank", 5, true, Reference::WaveletShare)),
+    InWords(Absorbance("shadowmap", "slices", 16, true, Reference::SliceShare)),
     Absorbance("moment", "moments", "power-6", true, TextOf("Moment", vtkMomentTransparencyPass::Power6, false)),
     Absorbance("moment", "moments", "trigonometric-3", false,
       TextOf("Moment", vtkMomentTransparencyPass::Trigonometric3, false)) };

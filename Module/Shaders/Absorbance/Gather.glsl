@@ -7,18 +7,27 @@
 // gatherStage
 // - 0, with ABSORBANCE_BOUNDS_FRAGMENTS: outputs[0] is (-depth, depth), of which blending keeps the largest: minus the
 //   nearest depth of the pixel, and the farthest.
-// - 1 and 3: outputs[i] is what the fragment adds to the terms, the first eight vectors of them and those behind.
+// - 1 and 3: outputs[i] is what the fragment adds to the terms, the first eight vectors of them and those behind. With
+//   TERM_PRECISION_SHARED_EXPONENT it is added to words, in stage 1.
 // - 2: outputs[0] is vis(z) * opacity * colour, with the opacity in alpha, by which blending multiplies the total
-//   transmittance; outputs[1] is vis(z) * opacity.
+//   transmittance; outputs[1] is vis(z) * opacity. With three channels their alphas, and that of outputs[2], which is
+//   light, hidden or not, have the opacity of one channel each.
 //
 // Needs: Basis, basisAt, prepareTerms, absorbanceInFront, ABSORBANCE_BOUNDS, GATHER_OUTPUTS, TARGET_SAMPLES.  Gives:
 // gatherFragment.
 #ifndef GATHER_OUTPUTS
 #error "Absorbance/Gather.glsl needs GATHER_OUTPUTS"
 #endif
+#if TERM_PRECISION == 2
+#include "Absorbance/StoredTerms.glsl"
+#else
 #include "Absorbance/FetchTerms.glsl"
+#endif
 #include "Absorbance/Range.glsl"
 #include "Absorbance/Visibility.glsl"
+#include "Common/Opacity.glsl"
+#include "Common/Target.glsl"
+#include "Common/Tile.glsl"
 
 uniform int gatherStage;
 #if ABSORBANCE_BOUNDS == ABSORBANCE_BOUNDS_FRAGMENTS
@@ -36,7 +45,17 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
 #endif
   Basis basis;
   basisAt(relativeDepth(z, range), basis);
-  float absorbance = absorbanceOf(color.a);
+  Channels opacity = opacityOf(color);
+  Channels absorbance = absorbanceOf(opacity);
+#if TERM_PRECISION == TERM_PRECISION_SHARED_EXPONENT
+  if (gatherStage == 1)
+  {
+    if (inTile(pixel))
+    {
+      addTerms(pixel, basis.density, absorbance);
+    }
+  }
+#else
 #define FIRST_OUTPUT(i) ((i) < GATHER_OUTPUTS ? (i) : (i) - GATHER_OUTPUTS)
   if (gatherStage == 1 || gatherStage == 3)
   {
@@ -47,14 +66,22 @@ void gatherFragment(vec4 color, float depth, out vec4 outputs[GATHER_OUTPUTS])
     }
     EACH_VECTOR(WRITE_TERMS)
   }
+#endif
   else if (gatherStage == 2)
   {
     Terms terms;
     fetchTerms(pixel, terms);
     prepareTerms(terms);
-    float weight = visibilityOf(terms, basis, absorbance) * color.a;
-    outputs[0] = vec4(weight * color.rgb, color.a);
-    outputs[1] = vec4(weight);
+    Channels visibility = visibilityOf(terms, basis, absorbance);
+    vec3 light = color.a * color.rgb;
+#if TRANSMITTANCE_CHANNELS == 3
+    outputs[0] = vec4(visibility * light, opacity.r);
+    outputs[1] = vec4(visibility * opacity, opacity.g);
+    outputs[2] = vec4(light, opacity.b);
+#else
+    outputs[0] = vec4(visibility * light, opacity);
+    outputs[1] = vec4(visibility * opacity);
+#endif
   }
   else
   {

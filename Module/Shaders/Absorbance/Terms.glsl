@@ -15,7 +15,8 @@
 //
 // With three channels (Common/Channels.glsl) there are as many absorbances, sums and visibilities, of one basis.
 //
-// TERM_PRECISION: the sums are held in floats of 32 bits, or of 16. Each addition rounds them.
+// TERM_PRECISION: the sums are held in floats of 32 bits, or of 16, or in words (Absorbance/StoredTerms.glsl). Each
+// addition rounds them.
 //
 // Valid C++, too.
 //
@@ -34,6 +35,7 @@
 #endif
 #define TERM_PRECISION_SINGLE 0
 #define TERM_PRECISION_HALF 1
+#define TERM_PRECISION_SHARED_EXPONENT 2
 #if TERM_PRECISION == TERM_PRECISION_HALF
 #define TERM_ROUNDING 9.765625e-4f // 2^-10
 #define TERM_LEAST 6.1035156e-5f
