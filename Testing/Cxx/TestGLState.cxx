@@ -205,6 +205,10 @@ TEST_F(TestGLStateOfTechniques, IsAsItWasFound)
         vtkNew<WatchedPass> watched;
         watched->Pass = NewPass(name);
         EXPECT_TRUE(keyword.empty() || watched->Pass->SetOption(keyword, choice));
+        if (keyword == "precision") // of fixed memory, and else a warning
+        {
+          EXPECT_TRUE(watched->Pass->SetOption("memory", "fixed"));
+        }
         view.SetTranslucentPass(watched);
         ExpectNothingChanges(view, watched, false);
       }

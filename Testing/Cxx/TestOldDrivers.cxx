@@ -27,6 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -165,11 +166,12 @@ std::vector<Case> Cases()
   return cases;
 }
 
-// What draws the same with the whole driver. Where there is no storage fourier and shadowmap draw the geometry again,
-// auto takes what is exact and needs none, and one transmittance is kept, not three.
+// What draws the same with the whole driver. Where there is no storage techniques of sums draw the geometry again, auto
+// takes what is exact and needs none, and one transmittance is kept, not three.
 Way WholeOf(const Way& way)
 {
-  if (way.Technique == "fourier" || way.Technique == "shadowmap")
+  const std::string sums[] = { "fourier", "shadowmap", "wavelet", "moment" };
+  if (std::find(std::begin(sums), std::end(sums), way.Technique) != std::end(sums))
   {
     return { way.Technique, "memory", "fixed" };
   }
