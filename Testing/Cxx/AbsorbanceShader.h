@@ -42,7 +42,7 @@ struct AbsorbanceVariant
 const std::vector<AbsorbanceVariant>& AbsorbanceVariants();
 
 /// The variant of one channel, or with a shared exponent that of three.
-const AbsorbanceVariant& FindVariant(const std::string& technique, int terms, bool half, bool shared);
+AbsorbanceVariant FindVariant(const std::string& technique, int terms, bool half, bool shared);
 
 /// What the variant of one channel says that a pixel's fragments see.
 Reference::Visibilities TextOf(const std::string& technique, int terms, bool half);

@@ -398,7 +398,7 @@ TEST_F(TestVisibilities, InWordsAreThoseOfTheText)
       std::tuple(Wavelet(3), "Wavelet", 3), std::tuple(Wavelet(4), "Wavelet", 4),
       std::tuple(Wavelet(5), "Wavelet", 5) })
   {
-    const AbsorbanceVariant& text = FindVariant(name, terms, false, true);
+    const AbsorbanceVariant text = FindVariant(name, terms, false, true);
     const std::vector<double> measured =
       this->Measure(technique.New, vtkAbsorbancePass::Fixed, vtkAbsorbancePass::SharedExponent);
     for (int i = 0; i < Count; ++i)
