@@ -10,8 +10,9 @@
  *
  * Many distributions have the same few moments. The least and the most that any of them can have in front of a depth
  * are known, and Overestimation chooses between the two. A pixel with few layers leaves no choice: half as many as
- * there are power moments, or as many as there are trigonometric ones, and one more are exact to some 1e-5. Smooth
- * absorbance, as of smoke, comes out well too; many distinct layers are smoothed.
+ * there are power moments, or as many as there are trigonometric ones, and one more are exact to 1e-4, and to 1e-3 with
+ * Power8 and Trigonometric4. Smooth absorbance, as of smoke, comes out well too; many distinct layers are smoothed.
+ * What trigonometric moments give for the least and the most is no strict bound.
  *
  * A fragment's own moments are taken out before it asks. How the rest is inverted in 32 bits, with no fragment lost
  * where a pixel has but one, two or a few: Module/Shaders/Moment/Power.glsl and Trigonometric.glsl. Zeros are found

@@ -213,8 +213,8 @@ INSTANTIATE_TEST_SUITE_P(Variants, TestLinearAbsorbance,
   NameOf);
 
 //------------------------------------------------------------------------------
-// A Fourier series rings, and masses of trigonometric moments may lie where no depths are; what is told from the other
-// sums never rises with depth, as fragments that hide nothing see.
+// A Fourier series rings, and trigonometric moments give no strict bounds; what is told from the other sums never
+// rises with depth, as fragments that hide nothing see.
 class TestMonotoneAbsorbance : public TestAbsorbance
 {
 };
@@ -358,7 +358,7 @@ Absorbers RandomPixel(unsigned int seed)
 // - The text's moments are rounded. How far that moves a bound, the program's slopes say. Sums are rounded by no more
 // than
 //   TERM_ROUNDING; what the text computes from them is, too: up to 4 times that was seen with 8 moments, less than once
-//   with 4 and 6, and 8 times is allowed. So half of all are compared to 5e-6 (4 moments) to 2e-4 (8), and none more
+//   with 4 and 6, and 8 times is allowed. So half of all are compared to 9e-6 (4 moments) to 2e-4 (8), and none more
 //   loosely than to 0.03: where a fragment is so near to another one that 32 bits hardly tell them apart.
 // - Masses as small as the mixture's share are found to some digit. The least of them are less than 2e-6, to which a
 // share
