@@ -7,7 +7,7 @@
  * The base of techniques that describe vis(z), the transmittance between the viewer and depth z, by a fixed number of
  * sums to which every fragment adds, whatever the order: Salvi, Montgomery, Lefohn 2011, "Adaptive Transparency",
  * sections 2 and 4, where they are FOMT and OSMT. A subclass gives the shaders of the sums: vtkFourierOpacityPass,
- * vtkOpacityShadowMapPass, vtkWaveletTransparencyPass.
+ * vtkOpacityShadowMapPass, vtkWaveletTransparencyPass, vtkMomentTransparencyPass.
  *
  * What adds up is absorbance, -ln(1 - opacity), at most ln(1024) a fragment: an opaque one hides what is behind it to a
  * quarter of 1/255. A fragment's own absorbance is taken out of the sums when it asks for its visibility, so that a

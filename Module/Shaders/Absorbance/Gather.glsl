@@ -18,7 +18,8 @@
 #ifndef GATHER_OUTPUTS
 #error "Absorbance/Gather.glsl needs GATHER_OUTPUTS"
 #endif
-#if TERM_PRECISION == 2
+#include "Absorbance/Terms.glsl"
+#if TERM_PRECISION == TERM_PRECISION_SHARED_EXPONENT
 #include "Absorbance/StoredTerms.glsl"
 #else
 #include "Absorbance/FetchTerms.glsl"

@@ -25,7 +25,7 @@ vtkSmartPointer<vtkRenderPass> NewPass(const std::string& name)
 
 void CheckName(const std::string& name)
 {
-  std::string known;
+  std::vector<std::string> known;
   for (int i = 0; i < vtkTranslucencyFactory::GetNumberOfTechniques(); ++i)
   {
     const std::string technique = vtkTranslucencyFactory::GetTechniqueName(i);
@@ -33,16 +33,16 @@ void CheckName(const std::string& name)
     {
       return;
     }
-    known += (known.empty() ? "" : ", ") + technique;
+    known.push_back(technique);
   }
-  throw Failure("there is no technique '" + name + "', expected one of: " + known);
+  throw Failure("there is no technique '" + name + "', expected one of: " + Listed(known));
 }
 
 // The option of that keyword with the value that the text stands for; throws Failure.
 std::pair<vtkTranslucencyOption, double> ReadSetting(
   vtkRenderPass* pass, const std::string& technique, const std::string& keyword, const std::string& text)
 {
-  std::string known;
+  std::vector<std::string> known;
   for (const vtkTranslucencyOption& option : OptionsOf(pass))
   {
     if (option.Keyword == keyword)
@@ -55,10 +55,10 @@ std::pair<vtkTranslucencyOption, double> ReadSetting(
       }
       return { option, value };
     }
-    known += (known.empty() ? "" : ", ") + option.Keyword;
+    known.push_back(option.Keyword);
   }
   throw Failure("technique '" + technique + "' has no option '" + keyword + "', expected " +
-    (known.empty() ? "none: it has no options" : "one of: " + known));
+    (known.empty() ? "none: it has no options" : "one of: " + Listed(known)));
 }
 }
 
