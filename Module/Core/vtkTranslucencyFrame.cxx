@@ -50,29 +50,11 @@ vtkTranslucencyFrame::vtkTranslucencyFrame(vtkTranslucencyPass* pass, vtkTranslu
   resources.GatherTime = -1;
   resources.ResolveTime = -1;
   this->Shaders->ChooseSamples(pass, usesStorage);
-  this->ChooseTransmission();
+  this->Shaders->ChooseTransmission(pass, state);
 }
 
 //------------------------------------------------------------------------------
 vtkTranslucencyFrame::~vtkTranslucencyFrame() = default;
-
-//------------------------------------------------------------------------------
-void vtkTranslucencyFrame::ChooseTransmission()
-{
-  vtkTranslucencyFrameShaders::Context& context = this->Shaders->GetContext();
-  switch (
-    this->Resources.Transmission.Choose(this->Pass, this->State, this->Resources.Capabilities.MissingForTransmission))
-  {
-    case vtkTranslucencyTransmission::Kind::Colored:
-      context.Channels = 3;
-      break;
-    case vtkTranslucencyTransmission::Kind::Mean:
-      context.TakesMean = true;
-      break;
-    default:
-      break;
-  }
-}
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyFrame::Fail(const std::string& error)
@@ -136,9 +118,11 @@ bool vtkTranslucencyFrame::FinishGathering()
 {
   using Outcome = vtkFragmentStorage::Outcome;
   vtkTranslucencyResources& kept = this->Resources;
-  const bool divides = !kept.Mappers->GetVolumes().GetProps().empty(); // they go through whole lists only
+  // Both go through whole lists only.
+  const bool divides = !kept.Mappers->GetVolumes().GetProps().empty();
+  const bool absorbs = this->Shaders->GetContext().Absorbs;
   const char* summary = this->Storage->GetSummary();
-  this->SummedUp = summary && !this->Storage->GetRetrieval() && !divides;
+  this->SummedUp = summary && !this->Storage->GetRetrieval() && !divides && !absorbs;
   if (this->SummedUp)
   {
     kept.Resolved.BeginSum();
@@ -149,17 +133,35 @@ bool vtkTranslucencyFrame::FinishGathering()
   {
     return false;
   }
+  if (outcome == Outcome::Complete && (divides || absorbs) && !this->SortLists({}))
+  {
+    return false;
+  }
   if (outcome == Outcome::Complete && divides)
   {
-    if (!this->SortLists({}))
-    {
-      return false;
-    }
     this->Geometry->DrawVolumes();
     outcome = this->Storage->End();
   }
+  if (outcome == Outcome::Complete && absorbs && !this->Absorb())
+  {
+    return false;
+  }
   this->Finish(outcome);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Gives the fragments of lists that are in order what bodies absorb in front of them.
+bool vtkTranslucencyFrame::Absorb()
+{
+  vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
+  vtkTranslucencyOpaqueDepth& opaque = mappers->GetOpaqueDepth();
+  const bool copied = opaque.Use() || this->Fail("the depth buffer can't be copied");
+  Uniforms values = mappers->GetMedia().GetUniforms(this->GetRenderer(), this->Picture);
+  values["translucencyOpaqueDepth"] = opaque.GetUnit();
+  const bool absorbed = copied && this->Resolve("Absorption/Absorb.glsl", {}, {}, values);
+  opaque.Deactivate();
+  return absorbed;
 }
 
 //------------------------------------------------------------------------------

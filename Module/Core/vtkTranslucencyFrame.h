@@ -205,10 +205,10 @@ public:
   vtkTranslucencyFrame& operator=(const vtkTranslucencyFrame&) = delete;
 
 private:
-  void ChooseTransmission();
   bool DrawCells(const char* file, vtkTypeInt64 most);
   bool Retrieve();
   bool FinishGathering();
+  bool Absorb();
   void Finish(vtkFragmentStorage::Outcome outcome);
   bool IsDrawn();
   void UseTile();

@@ -106,6 +106,18 @@ void vtkTranslucencyFrameShaders::ChooseSamples(vtkObject* pass, bool storage)
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyFrameShaders::ChooseTransmission(vtkTranslucencyPass* pass, const vtkRenderState* state)
+{
+  using Kind = vtkTranslucencyTransmission::Kind;
+  vtkTranslucencyResources& kept = this->Resources;
+  const std::string& lacking = kept.Capabilities.MissingForTransmission;
+  const Kind kind = kept.Transmission.Choose(pass, state, lacking);
+  this->Current.Absorbs = kept.Mappers->GetMedia().Choose(pass, state, lacking);
+  this->Current.TakesMean = kind == Kind::Mean;
+  this->Current.Channels = kind == Kind::Colored || this->Current.Absorbs ? 3 : 1;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkTranslucencyFrameShaders::GetCriticalSection() const
 {
   const vtkTranslucencyCapabilities& capabilities = this->Resources.Capabilities;
@@ -132,6 +144,7 @@ vtkTranslucencyFrameShaders::Defines vtkTranslucencyFrameShaders::GetOfferedDefi
     offered = context.Storage->GetDefines();
   }
   offered["TRANSMITTANCE_CHANNELS"] = std::to_string(context.Channels);
+  offered["MEDIA"] = context.Absorbs ? "1" : "0";
   offered["SAMPLES"] = std::to_string(context.Samples);
   offered["TARGET_SAMPLES"] = std::to_string(context.TargetSamples);
   offered["SHADES_SAMPLES"] = this->Resources.Capabilities.ShadesSamples ? "1" : "0";

@@ -17,7 +17,9 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkFragmentStorage;
 class vtkObject;
 class vtkOpenGLRenderWindow;
+class vtkRenderState;
 class vtkShaderProgram;
+class vtkTranslucencyPass;
 struct vtkTranslucencyGathering;
 struct vtkTranslucencyResources;
 
@@ -34,6 +36,7 @@ public:
     vtkFragmentStorage* Storage = nullptr; ///< of fragments, if they are stored
     int Channels = 1;                      ///< that transmittances are told apart by
     bool TakesMean = false;                ///< of transmission colours, of which there are some
+    bool Absorbs = false;                  ///< whether there are bodies whose absorption is drawn
     int Samples = 1;                       ///< of a pixel that are told apart
     int TargetSamples = 1;                 ///< that it has
     int RecordTargets = 0;                 ///< colours in which records of pixels lie, if they lie in colours
@@ -41,6 +44,9 @@ public:
   /// The samples of what is bound. Where storage tells them apart, which wants their masks, one, with a warning in the
   /// pass's name, if the driver has none.
   void ChooseSamples(vtkObject* pass, bool storage);
+
+  /// What is drawn of a state's transmission colours and bodies.
+  void ChooseTransmission(vtkTranslucencyPass* pass, const vtkRenderState* state);
 
   Context& GetContext() { return this->Current; }
   const Context& GetContext() const { return this->Current; }

@@ -259,6 +259,8 @@ bool vtkTranslucencyGeometry::HandOver(vtkProp* prop, int layer, bool* any)
     return false;
   }
   vtkTranslucencyShader::SetUniforms(program, textures.GetUnits());
+  // Layers do not tell which of their fragments are back faces.
+  vtkTranslucencyShader::SetUniforms(program, { { "gatherMedium", 0 } });
   vtkTranslucencyDrawAndAsk(any, [&kept] { kept.Programs.DrawVertices(GL_TRIANGLES, 3); });
   return true;
 }

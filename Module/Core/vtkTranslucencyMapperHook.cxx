@@ -190,6 +190,7 @@ bool vtkTranslucencyMapperHook::SetParameters(vtkShaderProgram* program, vtkProp
     vtkTranslucencyPass::GetTransmissionColor(prop, color);
     program->SetUniform3f("gatherTransmission", color);
   }
+  vtkTranslucencyShader::SetUniforms(program, { { "gatherMedium", this->Media.GetNumber(prop) } });
   const char* sampler = "translucencyOpaqueDepth";
   if (!program->IsUniformUsed(sampler))
   {

@@ -13,6 +13,7 @@
 #ifndef vtkTranslucencyMapperHook_h
 #define vtkTranslucencyMapperHook_h
 
+#include "vtkTranslucencyMedia.h"
 #include "vtkTranslucencyOpaqueDepth.h"
 #include "vtkTranslucencyStage.h"
 #include "vtkTranslucencyVolumes.h"
@@ -74,6 +75,7 @@ public:
   /// Gives such a shader's program what the current drawing has for a prop. False, with an error noted, if that fails.
   bool SetParameters(vtkShaderProgram* program, vtkProp* prop);
 
+  vtkTranslucencyMedia& GetMedia() { return this->Media; }
   vtkTranslucencyVolumes& GetVolumes() { return this->Volumes; }
   vtkTranslucencyOpaqueDepth& GetOpaqueDepth() { return this->OpaqueDepth; }
 
@@ -113,6 +115,7 @@ private:
   bool Draws = false;                      // while Draw lasts
   vtkOpenGLRenderWindow* Window = nullptr; // of the frame
   vtkTranslucencyOpaqueDepth OpaqueDepth;
+  vtkTranslucencyMedia Media;
   vtkTranslucencyVolumes Volumes;
   std::string Error;
   int ShaderBuilds = 0;

@@ -50,6 +50,17 @@ bool vtkTranslucencyOpaqueDepth::Capture()
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyOpaqueDepth::Use()
+{
+  if (!this->Captured)
+  {
+    return this->Capture();
+  }
+  this->Activate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // Makes room for the copy: a depth buffer can be copied to one of its own format only.
 void vtkTranslucencyOpaqueDepth::Reserve(int width, int height, unsigned int framebuffer)
 {

@@ -30,6 +30,9 @@ public:
   /// Copies the depth of the viewport and activates it. False if that fails.
   bool Capture();
 
+  /// Activates the copy, and captures it if it is not yet. False if that fails.
+  bool Use();
+
   /// Binds the copy to a texture unit of its own, and puts back what was bound there.
   void Activate();
   void Deactivate();

@@ -407,7 +407,7 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
       this->RenderFallback(state, volumetricPass, "the driver (" + capabilities.Renderer + ") lacks " + missing, true);
       return;
     }
-    kept.Mappers->GetVolumes().Find(state, volumetricPass, this->DividesVolumes());
+    kept.Mappers->GetVolumes().Find(state, volumetricPass, this->KeepsFragments());
     this->RenderGathered(state, window);
     return;
   }
@@ -501,7 +501,7 @@ void vtkTranslucencyPass::RenderGathered(const vtkRenderState* state, vtkOpenGLR
   const std::string undivided = volumes.DrawUndivided(state);
   if (!undivided.empty() && undivided != this->Internal->UndividedVolumes)
   {
-    const std::string expected = this->DividesVolumes()
+    const std::string expected = this->KeepsFragments()
       ? "expected those of vtkGPUVolumeRayCastMapper with an ImageSampleDistance of 1, not within assemblies"
       : "only techniques that keep all fragments divide them, as exact and adaptive do";
     vtkWarningMacro(<< "volumes of " << undivided << " are drawn over the translucent surfaces: " << expected);

@@ -180,6 +180,13 @@ public:
    */
   virtual bool KeepsTransmissionColors() const { return false; }
 
+  /**
+   * Whether the technique, with its present options, keeps all fragments of a pixel: volumes are divided at them, and
+   * bodies absorb by their thickness (vtkTranslucencyMaterial). If not, volumes are drawn over the surfaces, after a
+   * warning.
+   */
+  virtual bool KeepsFragments() const { return false; }
+
 protected:
   vtkTranslucencyPass();
   ~vtkTranslucencyPass() override;
@@ -195,12 +202,6 @@ protected:
    * a pass that has others draw in its place.
    */
   virtual void RenderTranslucent(const vtkRenderState* state, vtkRenderPass* volumetricPass);
-
-  /**
-   * Whether volumes can be divided at the technique's fragments; if not they are drawn over the surfaces, after a
-   * warning.
-   */
-  virtual bool DividesVolumes() const { return false; }
 
   /**
    * Whether the technique, with its present options, keeps fragments, or records of pixels, in storage buffers. If not

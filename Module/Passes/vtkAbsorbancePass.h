@@ -125,6 +125,7 @@ public:
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
   bool KeepsTransmissionColors() const override { return this->KeepsFragments() || this->HasWords; }
+  bool KeepsFragments() const override { return this->Superclass::KeepsFragments() && this->HasStorage; }
 
 protected:
   /**
@@ -150,7 +151,6 @@ protected:
    */
   virtual int GetTermCount() const { return this->Number; }
 
-  bool KeepsFragments() const override { return this->Superclass::KeepsFragments() && this->HasStorage; }
   bool UsesInFixedMemory(const std::string& name) const override;
   bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
   std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const override;

@@ -97,6 +97,7 @@ public:
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
   bool KeepsTransmissionColors() const override { return !this->Delegate || this->Delegate->KeepsTransmissionColors(); }
+  bool KeepsFragments() const override { return !this->Delegate || this->Delegate->KeepsFragments(); }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

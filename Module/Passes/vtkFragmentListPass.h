@@ -58,6 +58,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  bool KeepsFragments() const override { return true; }
 
 protected:
   vtkFragmentListPass();
@@ -110,7 +111,6 @@ protected:
    */
   std::string FindMissing(const vtkTranslucencyCapabilities& capabilities) const override;
   bool UsesStorage(const vtkTranslucencyCapabilities& capabilities) const override;
-  bool DividesVolumes() const override { return true; }
   bool RenderStages(vtkTranslucencyFrame& frame) override;
   vtkTypeInt64 GetTechniqueBytes() override;
   void ReleaseTechniqueResources(bool contextAlive) override;

@@ -41,6 +41,7 @@ public:
   ///@}
 
   std::vector<vtkTranslucencyOption> GetOptions() override;
+  bool KeepsFragments() const override { return this->Memory == Variable; }
 
 protected:
   vtkVisibilityFunctionPass() = default;
@@ -61,12 +62,6 @@ protected:
    */
   virtual bool UsesInFixedMemory(const std::string& name) const;
 
-  /**
-   * Whether the fragments are kept, and not drawn again.
-   */
-  virtual bool KeepsFragments() const { return this->Memory == Variable; }
-
-  bool DividesVolumes() const override { return this->KeepsFragments(); }
   bool RenderStages(vtkTranslucencyFrame& frame) override;
 
   int Memory = Variable;

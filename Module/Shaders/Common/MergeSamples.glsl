@@ -34,8 +34,8 @@
 #define OPACITY_BITS uvec3(0u, 0xffff0000u, 0xffffffffu)
 #define CHANNELS_OF(words) ivec3((words).x & 0xffffu, (words).x >> 16u, (words).y & 0xffffu)
 // 1/32 has 64 of those units at 0.5, where the exponent is 14, and twice as many for each exponent below, but not more
-// than an exponent.
-#define MERGE_TOLERANCE(larger) (ivec3(1024) >> clamp((larger >> 10) - 10, ivec3(0), ivec3(10)))
+// than an exponent. The sign is not the number's (Absorption/Medium.glsl).
+#define MERGE_TOLERANCE(larger) (ivec3(1024) >> clamp(((larger & 0x7fff) >> 10) - 10, ivec3(0), ivec3(10)))
 #endif
 
 // depthExtent is how far the fragment's depth reaches within a pixel.

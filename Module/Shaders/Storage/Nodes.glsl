@@ -120,6 +120,20 @@ Fragment loadNode(uint node, out uint next)
   return Fragment(uintBitsToFloat(words.y), PackedColor(uvec3(words.zw, last)), unpackCoverage(words.x));
 }
 
+void storeColor(uint node, PackedColor color)
+{
+#if NODE_WORDS == 4
+  listNodes[node - 1u].zw = color.xy;
+#else
+  uint word = (node - 1u) * uint(NODE_WORDS);
+  listNodes[word + 2u] = color.x;
+#if NODE_WORDS == 5
+  listNodes[word + 3u] = color.y;
+  listNodes[word + 4u] = color.z;
+#endif
+#endif
+}
+
 void linkNode(uint node, uint next)
 {
 #if NODE_WORDS == 4

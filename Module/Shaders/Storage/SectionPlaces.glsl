@@ -157,6 +157,13 @@ Fragment readPlace(uint place)
 #endif
 }
 
+void storeColor(uint node, PackedColor color)
+{
+  Fragment fragment = readPlace((node & ~LINKED) - 1u);
+  fragment.color = color;
+  writePlace((node & ~LINKED) - 1u, fragment);
+}
+
 uint sectionOf(uint entry)
 {
   return entry >> SECTION_FREE_BITS;
