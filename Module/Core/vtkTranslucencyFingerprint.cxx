@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyFingerprint.h"
 
+#include "vtkTranslucencyMaterial.h"
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyVTKVersion.h"
 
@@ -111,6 +112,10 @@ void vtkTranslucencyFingerprint::AddRenderer(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkTranslucencyFingerprint::AddProp(vtkProp* prop)
 {
+  if (vtkTranslucencyMaterial* material = vtkTranslucencyMaterial::GetMaterial(prop))
+  {
+    this->AddObject(material);
+  }
   prop->InitPathTraversal();
   while (vtkAssemblyPath* path = prop->GetNextPath())
   {

@@ -70,8 +70,9 @@ void vtkTranslucencyFrame::UseTile()
   const Rectangle& tile = this->GetTile();
   std::array<float, 4> numbers;
   std::copy(tile.begin(), tile.end(), numbers.begin());
-  kept.Mappers->SetFrameValues({ { "frameTileNumbers", numbers },
-    { "frameClipping", vtkTranslucencyScene::GetClipping(this->State->GetRenderer()) } });
+  kept.Mappers->SetFrameValues(
+    { { "frameTileNumbers", numbers }, { "frameClipping", vtkTranslucencyScene::GetClipping(this->GetRenderer()) },
+      { "frameRays", vtkTranslucencyScene::GetRays(this->GetRenderer(), this->Picture) } });
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(tile[0], tile[1], tile[2], tile[3]);

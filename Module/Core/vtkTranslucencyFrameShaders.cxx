@@ -6,6 +6,7 @@
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyResources.h"
 #include "vtkTranslucencyStage.h"
+#include "vtkTranslucencySurfaces.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -20,8 +21,9 @@ constexpr int MostSamples = 8; // that a node has room for
 
 const std::string Version = "//VTK::System::Dec\n";
 
-// What goes into a mapper's shader where it has shaded a fragment; GATHERED_DEPTH stands for its depth.
-std::string GatherCall(int outputs, bool critical, bool mean)
+// What goes into a mapper's shader where it has shaded a fragment; GATHERED_DEPTH stands for its depth, GATHERED_NORMAL
+// for its normal.
+std::string GatherCall(int outputs, bool critical, const vtkTranslucencyFrameShaders::Context& context)
 {
   std::string call = "gatherFragment(gl_FragData[0], GATHERED_DEPTH);\n";
   if (outputs > 0)
@@ -29,9 +31,13 @@ std::string GatherCall(int outputs, bool critical, bool mean)
     call = "vec4 gatherOutputs[" + std::to_string(outputs) +
       "];\ngatherFragment(gl_FragData[0], GATHERED_DEPTH, gatherOutputs);\n";
   }
-  if (mean)
+  if (context.TakesMean)
   {
     call = "gl_FragData[0] = meanTransmission(gl_FragData[0]);\n" + call;
+  }
+  if (context.ShadesSurfaces)
+  {
+    call = "gl_FragData[0] = shadeSurface(gl_FragData[0], GATHERED_NORMAL);\n" + call;
   }
   if (critical)
   {
@@ -50,6 +56,7 @@ std::string Main(const std::string& call, int outputs, bool fetches)
 {
   std::string main = "gl_FragData[0] = vec4(1.0); " + call;
   vtkShaderProgram::Substitute(main, "GATHERED_DEPTH", "0.5");
+  vtkShaderProgram::Substitute(main, "GATHERED_NORMAL", "vec3(0.0)");
   std::string declarations;
   if (fetches)
   {
@@ -113,6 +120,7 @@ void vtkTranslucencyFrameShaders::ChooseTransmission(vtkTranslucencyPass* pass, 
   const std::string& lacking = kept.Capabilities.MissingForTransmission;
   const Kind kind = kept.Transmission.Choose(pass, state, lacking);
   this->Current.Absorbs = kept.Mappers->GetMedia().Choose(pass, state, lacking);
+  this->Current.ShadesSurfaces = vtkTranslucencySurfaces::HasAny(state);
   this->Current.TakesMean = kind == Kind::Mean;
   this->Current.Channels = kind == Kind::Colored || this->Current.Absorbs ? 3 : 1;
 }
@@ -144,6 +152,7 @@ vtkTranslucencyFrameShaders::Defines vtkTranslucencyFrameShaders::GetOfferedDefi
     offered = context.Storage->GetDefines();
   }
   offered["TRANSMITTANCE_CHANNELS"] = std::to_string(context.Channels);
+  offered["SHADES_SURFACES"] = context.ShadesSurfaces ? "1" : "0";
   offered["MEDIA"] = context.Absorbs ? "1" : "0";
   offered["SAMPLES"] = std::to_string(context.Samples);
   offered["TARGET_SAMPLES"] = std::to_string(context.TargetSamples);
@@ -169,13 +178,17 @@ vtkTranslucencyShader::Selection vtkTranslucencyFrameShaders::GetSelection() con
 }
 
 //------------------------------------------------------------------------------
-// What a mapper's shader needs to take transmission colours by their mean; empty where it does not.
-std::string vtkTranslucencyFrameShaders::GetMeanText() const
+// What a mapper's shader needs to change a fragment's colour before it is gathered; empty where it does not.
+std::string vtkTranslucencyFrameShaders::GetColorText() const
 {
   vtkTranslucencyShader shader;
   if (this->Current.TakesMean)
   {
-    shader.Assemble("Common/MeanTransmission.glsl", {});
+    shader.Assemble("Common/MeanTransmission.glsl", {}, this->GetOfferedDefines());
+  }
+  else if (this->Current.ShadesSurfaces)
+  {
+    shader.Assemble("Surface/Shade.glsl", {});
   }
   return shader.GetText();
 }
@@ -184,10 +197,10 @@ std::string vtkTranslucencyFrameShaders::GetMeanText() const
 bool vtkTranslucencyFrameShaders::PrepareStoring()
 {
   vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
-  const std::string mean = this->GetMeanText();
+  const std::string colors = this->GetColorText();
   Defines offered = this->GetOfferedDefines();
   offered.merge(this->Current.Storage->GetStoringDefines());
-  const std::string key = vtkTranslucencyPrograms::GetKey(this->Current.Storage->GetShaderName(), {}, offered) + mean;
+  const std::string key = vtkTranslucencyPrograms::GetKey(this->Current.Storage->GetShaderName(), {}, offered) + colors;
   if (key == mappers->GetKey())
   {
     return true;
@@ -205,8 +218,8 @@ bool vtkTranslucencyFrameShaders::PrepareStoring()
     return this->Fail(volumes.GetError());
   }
   vtkTranslucencyMapperHook::GatherText text;
-  text.Declarations = shader.GetText() + mean;
-  text.Call = GatherCall(0, false, !mean.empty());
+  text.Declarations = colors + shader.GetText();
+  text.Call = GatherCall(0, false, this->Current);
   text.Stores = true;
   mappers->SetText(key, text);
   mappers->GetVolumes().SetGatherText(volumes.GetText());
@@ -217,25 +230,25 @@ bool vtkTranslucencyFrameShaders::PrepareStoring()
 bool vtkTranslucencyFrameShaders::PrepareGathering(const vtkTranslucencyGathering& gathering)
 {
   vtkTranslucencyMapperHook* mappers = this->Resources.Mappers;
-  const std::string mean = this->GetMeanText();
+  const std::string colors = this->GetColorText();
   const std::string key = vtkTranslucencyPrograms::GetKey(gathering.File, gathering.Values, this->GetOfferedDefines()) +
-    vtkTranslucencyPrograms::GetKey("", this->GetSelection()) + mean;
+    vtkTranslucencyPrograms::GetKey("", this->GetSelection()) + colors;
   if (key == mappers->GetKey())
   {
     return true;
   }
   vtkTranslucencyMapperHook::GatherText text;
-  text.Call = GatherCall(gathering.Outputs, gathering.Critical, !mean.empty());
+  text.Call = GatherCall(gathering.Outputs, gathering.Critical, this->Current);
   text.Stores = gathering.Critical || gathering.Atomic;
   text.Fetches = gathering.Critical && this->Current.RecordTargets > 0;
   text.Rejects = gathering.Rejects;
   vtkTranslucencyShader shader;
   if (!shader.Assemble(gathering.File, gathering.Values, this->GetOfferedDefines(), this->GetSelection()) ||
-    !shader.Validate(mean + Main(text.Call, gathering.Outputs, text.Fetches)))
+    !shader.Validate(colors + Main(text.Call, gathering.Outputs, text.Fetches)))
   {
     return this->Fail(shader.GetError());
   }
-  text.Declarations = shader.GetText() + mean;
+  text.Declarations = colors + shader.GetText();
   mappers->SetText(key, text);
   return true;
 }
@@ -286,7 +299,7 @@ vtkShaderProgram* vtkTranslucencyFrameShaders::PrepareHandOver()
         return this->Fail(fragment.GetError() + vertex.GetError());
       }
       source = { Version + vertex.GetText(), Version + fragment.GetText() };
-      return mappers->Insert(source.Fragment, file);
+      return mappers->Insert(source.Fragment, nullptr, file);
     },
     [] { return true; });
 }

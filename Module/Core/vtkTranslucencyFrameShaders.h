@@ -36,6 +36,7 @@ public:
     vtkFragmentStorage* Storage = nullptr; ///< of fragments, if they are stored
     int Channels = 1;                      ///< that transmittances are told apart by
     bool TakesMean = false;                ///< of transmission colours, of which there are some
+    bool ShadesSurfaces = false;           ///< whether materials change surfaces
     bool Absorbs = false;                  ///< whether there are bodies whose absorption is drawn
     int Samples = 1;                       ///< of a pixel that are told apart
     int TargetSamples = 1;                 ///< that it has
@@ -45,7 +46,7 @@ public:
   /// pass's name, if the driver has none.
   void ChooseSamples(vtkObject* pass, bool storage);
 
-  /// What is drawn of a state's transmission colours and bodies.
+  /// What is drawn of a state's transmission colours and materials.
   void ChooseTransmission(vtkTranslucencyPass* pass, const vtkRenderState* state);
 
   Context& GetContext() { return this->Current; }
@@ -72,7 +73,7 @@ public:
 private:
   Defines GetOfferedDefines() const;
   vtkTranslucencyShader::Selection GetSelection() const;
-  std::string GetMeanText() const;
+  std::string GetColorText() const;
   bool Fail(const std::string& error);
 
   vtkTranslucencyResources& Resources;

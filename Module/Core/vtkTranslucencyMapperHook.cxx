@@ -3,6 +3,7 @@
 #include "vtkTranslucencyMapperHook.h"
 
 #include "vtkTranslucencyPass.h" // for transmission colours
+#include "vtkTranslucencySurfaces.h"
 #include "vtkTranslucencyVTKVersion.h"
 
 #include "vtkAbstractMapper.h"
@@ -75,7 +76,7 @@ void vtkTranslucencyMapperHook::Draw(const vtkRenderState* state, const std::fun
 }
 
 //------------------------------------------------------------------------------
-bool vtkTranslucencyMapperHook::Insert(std::string& fragmentShader, const std::string& who) const
+bool vtkTranslucencyMapperHook::Insert(std::string& fragmentShader, vtkProp* prop, const std::string& who) const
 {
   const bool setsDepth = SetsDepth(fragmentShader);
   std::string system = "//VTK::System::Dec\n" + std::string(vtkTranslucencyShader::GetExtensions());
@@ -95,6 +96,10 @@ bool vtkTranslucencyMapperHook::Insert(std::string& fragmentShader, const std::s
   const std::string depth = setsDepth ? "gl_FragDepth" : "gl_FragCoord.z";
   std::string call = this->Text.Call;
   vtkShaderProgram::Substitute(call, "GATHERED_DEPTH", depth);
+  if (call.find("GATHERED_NORMAL") != std::string::npos)
+  {
+    vtkShaderProgram::Substitute(call, "GATHERED_NORMAL", vtkTranslucencySurfaces::FindNormal(fragmentShader, prop));
+  }
   const std::string reject = std::string(tests ? "if (behindOpaque(gl_FragDepth)) { discard; }\n" : "") +
     (this->Text.Rejects ? "if (rejectsFragment(" + depth + ")) { discard; }\n" : "");
 
@@ -142,7 +147,7 @@ bool vtkTranslucencyMapperHook::PreReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyMapperHook::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (!this->Draws)
   {
@@ -153,7 +158,7 @@ bool vtkTranslucencyMapperHook::PostReplaceShaderValues(
     return this->Volumes.PostReplaceShaderValues(fragmentShader, mapper->GetClassName(), this->Error);
   }
   ++this->ShaderBuilds;
-  this->Insert(fragmentShader, mapper->GetClassName()); // what it can't be put into is met when it is drawn by
+  this->Insert(fragmentShader, prop, mapper->GetClassName()); // what it can't be put into is met when it is drawn by
   return true;
 }
 
@@ -190,6 +195,7 @@ bool vtkTranslucencyMapperHook::SetParameters(vtkShaderProgram* program, vtkProp
     vtkTranslucencyPass::GetTransmissionColor(prop, color);
     program->SetUniform3f("gatherTransmission", color);
   }
+  vtkTranslucencyShader::SetUniforms(program, vtkTranslucencySurfaces::GetUniforms(prop));
   vtkTranslucencyShader::SetUniforms(program, { { "gatherMedium", this->Media.GetNumber(prop) } });
   const char* sampler = "translucencyOpaqueDepth";
   if (!program->IsUniformUsed(sampler))

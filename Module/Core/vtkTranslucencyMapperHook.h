@@ -37,7 +37,8 @@ public:
   struct GatherText
   {
     std::string Declarations;
-    std::string Call;     ///< where a fragment has been shaded; GATHERED_DEPTH stands for its depth
+    std::string Call;     ///< where a fragment has been shaded; GATHERED_DEPTH stands for its depth, GATHERED_NORMAL
+                          ///< for its normal
     bool Stores = false;  ///< whether it has effects besides the colours that it draws
     bool Fetches = false; ///< whether it fetches records, and draws them in the place of VTK's colour
     bool Rejects = false; ///< whether it has rejectsFragment, to be asked before the fragment is shaded
@@ -68,9 +69,9 @@ public:
   void Draw(const vtkRenderState* state, vtkRenderPass* pass);
   void Draw(const vtkRenderState* state, const std::function<void()>& draw);
 
-  /// Puts the text into a fragment shader that has VTK's marks for it. False, and the shader as it was, if it lacks
-  /// one.
-  bool Insert(std::string& fragmentShader, const std::string& who) const;
+  /// Puts the text into a fragment shader, of a prop or null, that has VTK's marks for it. False, and the shader as it
+  /// was, if it lacks one.
+  bool Insert(std::string& fragmentShader, vtkProp* prop, const std::string& who) const;
 
   /// Gives such a shader's program what the current drawing has for a prop. False, with an error noted, if that fails.
   bool SetParameters(vtkShaderProgram* program, vtkProp* prop);

@@ -22,6 +22,11 @@ void vtkTranslucencyMaterial::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AttenuationColor: " << this->AttenuationColor[0] << " " << this->AttenuationColor[1] << " "
      << this->AttenuationColor[2] << "\n";
   os << indent << "AttenuationDistance: " << this->AttenuationDistance << "\n";
+  os << indent << "EmissionColor: " << this->EmissionColor[0] << " " << this->EmissionColor[1] << " "
+     << this->EmissionColor[2] << "\n";
+  os << indent << "GrazingOpacity: " << this->GrazingOpacity << "\n";
+  os << indent << "GrazingExponent: " << this->GrazingExponent << "\n";
+  os << indent << "Reflectance: " << this->Reflectance << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +100,55 @@ void vtkTranslucencyMaterial::SetAttenuationDistance(double distance)
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetEmissionColor(double red, double green, double blue)
+{
+  const double color[3] = { red, green, blue };
+  if (!std::all_of(color, color + 3, [](double channel) { return channel >= 0 && std::isfinite(channel); }))
+  {
+    vtkErrorMacro(<< "EmissionColor is (" << red << ", " << green << ", " << blue
+                  << "), expected three finite numbers of 0 or more");
+    return;
+  }
+  if (!std::equal(color, color + 3, this->EmissionColor))
+  {
+    std::copy(color, color + 3, this->EmissionColor);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetNumber(const char* name, double& member, double value, double least, double most)
+{
+  if (!(value >= least && value <= most))
+  {
+    vtkErrorMacro(<< name << " is " << value << ", expected a number from " << least << " to " << most);
+  }
+  else if (member != value)
+  {
+    member = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetGrazingOpacity(double opacity)
+{
+  this->SetNumber("GrazingOpacity", this->GrazingOpacity, opacity, 0, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetGrazingExponent(double exponent)
+{
+  this->SetNumber("GrazingExponent", this->GrazingExponent, exponent, 0, 1000);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetReflectance(double reflectance)
+{
+  this->SetNumber("Reflectance", this->Reflectance, reflectance, 0, 1);
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyMaterial::GetAbsorption(double absorption[3])
 {
   for (int i = 0; i < 3; ++i)
@@ -109,5 +163,17 @@ bool vtkTranslucencyMaterial::Absorbs()
   double absorption[3];
   this->GetAbsorption(absorption);
   return absorption[0] > 0 || absorption[1] > 0 || absorption[2] > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyMaterial::Emits()
+{
+  return this->EmissionColor[0] > 0 || this->EmissionColor[1] > 0 || this->EmissionColor[2] > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyMaterial::DependsOnAngle()
+{
+  return this->GrazingExponent > 0 || this->Reflectance > 0;
 }
 VTK_ABI_NAMESPACE_END

@@ -29,6 +29,8 @@
  *
  * The surfaces themselves stay what they are: clear glass has an opacity near 0, or a white transmission colour.
  *
+ * What a material does to its surfaces (emission, opacity by angle, reflectance) every technique draws.
+ *
  * Techniques that keep all fragments absorb (vtkTranslucencyPass::KeepsFragments), since they know both depths. Others
  * draw the prop without, after an error that says which do.
  */
@@ -81,6 +83,41 @@ public:
   vtkGetMacro(AttenuationDistance, double);
   ///@}
 
+  ///@{
+  /**
+   * Light that the surface gives off, beside what it reflects: red, green and blue, 0 or more, of which a fragment's
+   * opacity is the part that is seen, as of all of its colour. Black by default. Other numbers are an error and change
+   * nothing.
+   */
+  void SetEmissionColor(double red, double green, double blue);
+  void SetEmissionColor(const double color[3]) { this->SetEmissionColor(color[0], color[1], color[2]); }
+  vtkGetVector3Macro(EmissionColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Illustration: the opacity where the surface is seen from the side, 0 to 1 (1 by default), and the exponent, 0 to
+   * 1000, by which it goes over to the prop's own where the surface faces the viewer: with the cosine c of the angle
+   * between normal and ray, it is grazing + (own - grazing) c^exponent. 0, the default, leaves the prop's own. With a
+   * faint prop that draws outlines; with a grazing opacity of 0, ghosts. Other numbers are an error and change nothing.
+   */
+  void SetGrazingOpacity(double opacity);
+  vtkGetMacro(GrazingOpacity, double);
+  void SetGrazingExponent(double exponent);
+  vtkGetMacro(GrazingExponent, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the surface reflects of light that meets it head on, 0 to 1: 0.04 for glass of index 1.5, ((n - 1) / (n +
+   * 1))^2 for index n. From there it grows to 1 at grazing angles (Schlick 1994, Eq. 15), and what is reflected is
+   * neither transmitted nor seen through: the fragment's opacity grows by it. 0, the default, is a surface without
+   * reflection. Another number is an error and changes nothing.
+   */
+  void SetReflectance(double reflectance);
+  vtkGetMacro(Reflectance, double);
+  ///@}
+
   /**
    * What a world unit of it absorbs: the absorbance, -ln(transmittance), of red, green and blue.
    */
@@ -91,14 +128,31 @@ public:
    */
   bool Absorbs();
 
+  /**
+   * Whether its surfaces give off light.
+   */
+  bool Emits();
+
+  /**
+   * Whether its surfaces are seen differently from different angles. That takes normals, which VTK's shaders have where
+   * a prop is lit; else the prop is drawn as if it faced the viewer, after a warning.
+   */
+  bool DependsOnAngle();
+
 protected:
   vtkTranslucencyMaterial() = default;
   ~vtkTranslucencyMaterial() override = default;
 
   double AttenuationColor[3] = { 1, 1, 1 };
   double AttenuationDistance = std::numeric_limits<double>::infinity();
+  double EmissionColor[3] = { 0, 0, 0 };
+  double GrazingOpacity = 1;
+  double GrazingExponent = 0;
+  double Reflectance = 0;
 
 private:
+  void SetNumber(const char* name, double& member, double value, double least, double most);
+
   vtkTranslucencyMaterial(const vtkTranslucencyMaterial&) = delete;
   void operator=(const vtkTranslucencyMaterial&) = delete;
 };

@@ -58,6 +58,26 @@ std::vector<vtkProp*> vtkTranslucencyScene::GetProps() const
 }
 
 //------------------------------------------------------------------------------
+// For a point (x, y, -1) the projection P gives P00 x - P02 of the picture, from -1 to 1, where it is no parallel one.
+std::array<float, 4> vtkTranslucencyScene::GetRays(vtkRenderer* renderer, const std::array<int, 4>& viewport)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  std::array<float, 4> rays{ { 0, 0, 0, 0 } };
+  if (!camera->GetParallelProjection())
+  {
+    vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
+    for (int i = 0; i < 2; ++i)
+    {
+      const double scale = projection->GetElement(i, i);
+      const double pixels = viewport[i + 2];
+      rays[i] = static_cast<float>(2 / pixels / scale);
+      rays[i + 2] = static_cast<float>((-1 - 2 * viewport[i] / pixels + projection->GetElement(i, 2)) / scale);
+    }
+  }
+  return rays;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Bounds> vtkTranslucencyScene::GetBounds() const
 {
   std::vector<vtkProp*> props = this->GetProps();

@@ -36,6 +36,9 @@ public:
   /// (Shaders/Common/Frame.glsl).
   static std::array<float, 4> GetClipping(vtkRenderer* renderer);
 
+  /// The directions of rays through pixels of a viewport that the camera's picture fills (Shaders/Common/Frame.glsl).
+  static std::array<float, 4> GetRays(vtkRenderer* renderer, const std::array<int, 4>& viewport);
+
   /// In the order of drawing.
   std::vector<vtkProp*> GetProps() const;
 

@@ -220,6 +220,20 @@ def transmission_of_scene(command, folder):
     assert len(pictures) == 3
 
 
+def material_of_scene(command, folder):
+    """Each property of a material changes the picture."""
+    changes = ({}, {"attenuation_color": [0.2, 0.5, 0.9], "attenuation_distance": 1}, {"attenuation_color": [0.2, 0.5, 0.9], "attenuation_distance": 2},
+               {"emission_color": [0, 0.2, 0.1]}, {"grazing_exponent": 2}, {"grazing_exponent": 2, "grazing_opacity": 0}, {"reflectance": 0.04})
+    pictures = set()
+    for material in changes:
+        scene = json.loads((folder / "scene.json").read_text())
+        scene["actors"][0]["material"] = material
+        (folder / "changed.json").write_text(json.dumps(scene))
+        succeeds(command, folder, ["render", "--scene", "changed.json", "--technique", "exact", "-o", "a.png"])
+        pictures.add((folder / "a.png").read_bytes())
+    assert len(pictures) == len(changes)
+
+
 ROW_KEYS = {
     "technique", "name", "options", "help", "milliseconds", "ratio_to_blend", "gather_milliseconds",
     "resolve_milliseconds", "fragments", "deepest_pixel", "mebibytes", "tiles", "geometry_passes", "screen_passes",
@@ -510,6 +524,14 @@ CASES = {
     "RenderOpacity": options_change_picture(["ok.vtp"], ["ok.vtp", "--opacity", "0.9"]),
     "RenderTransmission": options_change_picture(["ok.vtp"], ["ok.vtp", "--transmission", "tomato"]),
     "RenderTransmissionOfScene": transmission_of_scene,
+    "RenderMaterialOfScene": material_of_scene,
+    "RenderGlbTransmission": options_change_picture(["ok.glb"], ["thin.glb"]),
+    "RenderGlbVolume": options_change_picture(["thin.glb"], ["glass.glb"]),
+    "RenderGlbIor": options_change_picture(["glass.glb"], ["dense.glb"]),
+    "RenderGlbTexture": warns(["render", "painted.glb", *SMALL, "-o", "a.png"],
+                              r"painted\.glb: material 0 \"glass\": transmissionTexture of KHR_materials_transmission is not read"),
+    "RenderMaterialOfVtk": warns(["render", "glass.glb", *SMALL, "--technique", "blend", "-o", "a.png"],
+                                 "technique 'blend' draws without transmission colours and materials"),
     "RenderTransmissionOfVtk": warns(["render", "ok.vtp", "--transmission", "red", "--technique", "blend", "-o", "a.png"],
                                     "technique 'blend' draws without transmission colours"),
     "RenderColor": options_change_picture(["ok.vtp"], ["ok.vtp", "--color", "tomato"]),
@@ -570,6 +592,8 @@ CASES.update({
     "BadMeshWithoutPoints": fails(render("nopoints.vtp"), r"nopoints\.vtp: has no cells, expected at least one"),
     "BadMeshNan": fails(render("nan.ply"), r"nan\.ply: coordinate y of point 2 is nan, expected a finite number"),
     "BadMeshInfinite": fails(render("inf.ply"), r"inf\.ply: coordinate x of point 0 is inf, expected a finite number"),
+    "BadGlbIor": fails(render("rare.glb"), r"rare\.glb: material 0 \"glass\": ior is 0\.5, expected a number of at least 1"),
+    "BadGlbDistance": fails(render("short.glb"), r"short\.glb: .*attenuationDistance is 0, expected a number"),
     "BadMeshNanGlb": fails(render("nan.glb"), r"nan\.glb: coordinate z of point 5 is nan, expected a finite number"),
     "BadMeshWrongPoint": fails(render("wrongpoint.vtp"), r"wrongpoint\.vtp: a cell has point 99, expected 0 to 5"),
     "BadMeshEmptyCell": fails(render("emptycell.vtp"), r"emptycell\.vtp: a cell has no points, expected at least one"),
@@ -682,6 +706,10 @@ CASES.update({
     "BadSceneOpacityText": scene_fails(put("actors", 0, "opacity", value="half"), r"at '/actors/0/opacity': is \"half\", expected a number"),
     "BadSceneTransmission": scene_fails(put("actors", 0, "transmission", value="reddish"), r"transmission is 'reddish', expected #rrggbb"),
     "BadSceneTransmissionNumber": scene_fails(put("actors", 0, "transmission", value=0.5), r"at '/actors/0/transmission': is 0\.5, expected a colour"),
+    "BadSceneMaterialKey": scene_fails(put("actors", 0, "material", value={"ior": 2}), r"at '/actors/0/material': unknown key 'ior', expected an object"),
+    "BadSceneMaterialColor": scene_fails(put("actors", 0, "material", value={"attenuation_color": [0, 1, 1]}),
+                                         r"at '/actors/0/material/attenuation_color/0': is 0, expected a number above 0"),
+    "BadSceneMaterialDistance": scene_fails(put("actors", 0, "material", value={"attenuation_distance": -1}), r"is -1, expected a number above 0"),
     "BadSceneColor": scene_fails(put("actors", 0, "color", value="reddish"), r"scene\.json: color is 'reddish', expected #rrggbb"),
     "BadSceneSize": scene_fails(put("size", value=[0, 10]), r"at '/size/0': is 0, expected"),
     "BadSceneSizeAboveLimit": scene_fails(put("size", value=[10, 999999]), r"size is 10x999999, expected at most"),

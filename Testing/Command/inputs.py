@@ -173,7 +173,7 @@ Shape {{
 """
 
 
-def glb(points=POINTS):
+def glb(points=POINTS, **material):
     positions = b"".join(struct.pack("<3f", *point) for point in points)
     indices = b"".join(struct.pack("<3H", *triangle) for triangle in TRIANGLES)
     document = {
@@ -181,7 +181,7 @@ def glb(points=POINTS):
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0}],
-        "materials": [{"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.3, 0.2, 0.5]}}],
+        "materials": [{"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.3, 0.2, 0.5]}, **material}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
         "buffers": [{"byteLength": len(positions) + len(indices)}],
         "bufferViews": [
@@ -200,6 +200,14 @@ def glb(points=POINTS):
     data += b"\0" * (-len(data) % 4)
     body = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
     return struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body
+
+
+def glass(thickness=1, distance=0.4, ior=1.5, **transmission):
+    """Of the extensions of glTF's materials."""
+    return glb(name="glass", extensions={
+        "KHR_materials_transmission": {"transmissionFactor": 0.9, **transmission},
+        "KHR_materials_volume": {"thicknessFactor": thickness, "attenuationColor": [0.9, 0.4, 0.1], "attenuationDistance": distance},
+        "KHR_materials_ior": {"ior": ior}})
 
 
 def scene():
@@ -254,7 +262,8 @@ def write_good(folder):
     contents = {
         "ok.vtp": vtp(), "ok.vtu": vtu(), "ok.vtk": vtk(), "grid.vtk": structured_grid(), "ok.vti": vti(),
         "ok.mhd": mhd("ok.raw"), "ok.raw": labels(), "ok.ply": ply(), "ok.stl": stl(), "ok.obj": obj(),
-        "ok.wrl": wrl(), "ok.glb": glb(), "scene.json": json.dumps(scene()),
+        "ok.wrl": wrl(), "ok.glb": glb(), "glass.glb": glass(), "thin.glb": glass(thickness=0), "dense.glb": glass(ior=2.4),
+        "painted.glb": glass(transmissionTexture={"index": 0}), "scene.json": json.dumps(scene()),
         "flow.vti": flow(), "straight.vti": flow([(0, 0, 2)] * SIDE ** 3),
         "slowing.vti": flow([(0, 0, SIDE - z) for z in range(SIDE) for _ in range(SIDE ** 2)]),
         "tubes.json": json.dumps(tubes()),
@@ -295,6 +304,7 @@ def write_broken(folder):
         "nan.ply": ply([*POINTS[:2], (0, "nan", 0), *POINTS[3:]]),
         "inf.ply": ply([("inf", 0, 0), *POINTS[1:]]),
         "nan.glb": glb([*POINTS[:5], (0, 0, math.nan)]),
+        "rare.glb": glass(ior=0.5), "short.glb": glass(distance=0),
         "constant.vti": vti([1] * SIDE ** 3),
         "still.vti": flow([(0, 0, 0)] * SIDE ** 3),
         "slice.vti": flow(layers=1),

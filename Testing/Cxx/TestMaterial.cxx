@@ -12,13 +12,12 @@
 #include <vtkProperty.h>
 #include <vtkTranslucencyMaterial.h>
 #include <vtkTranslucencyPass.h>
-#include <vtkTranslucencyStatistics.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <optional>
 
 namespace
 {
@@ -358,9 +357,11 @@ TEST_F(TestMaterial, MirroredBodiesAbsorbTheSame)
   const auto body = NewBody({ { { -1.4, -1, -0.5 } }, { { 0.2, 1, 0.5 } }, Wine.Color, Wine.Distance });
   body->SetScale(-1, 1, 1);
   view.Renderer->AddActor(body);
+  const std::vector<Card> behind{ { -3, { { 0.9, 0.5, 0.7 } }, 1 } }; // what does not end absorbs up to it
+  view.Add({}, behind);
   view.Look({ { 0.7, 0.8, 5 } }, { { 0, 0, 0 } }, 1, 20);
   view.Draw("exact");
-  ExpectNear(view.Drawn, Compute(view.Renderer->GetActiveCamera(), { mirrored }, {}), 1, "mirrored");
+  ExpectNear(view.Drawn, Compute(view.Renderer->GetActiveCamera(), { mirrored }, behind), 2, "mirrored");
 }
 
 // Where surfaces end within a pixel, their depths are those that they would have in its middle.
@@ -447,6 +448,132 @@ TEST_F(TestMaterial, TellsUpTo31AttenuationsApart)
   EXPECT_NE(messages[0].find("32 different attenuations, expected at most 31"), std::string::npos) << messages[0];
 }
 
+// A lit card that covers the picture, and the cosine of the angle at which each pixel sees it.
+class CardView : public MaterialView
+{
+public:
+  explicit CardView(double opacity)
+  {
+    this->Card = NewCard({ 0, { { 0.2, 0.5, 0.9 } }, opacity });
+    this->Card->GetProperty()->LightingOn();
+    this->Card->GetProperty()->SetAmbient(1);
+    this->Card->GetProperty()->SetDiffuse(0);
+    this->Card->ForceTranslucentOn();
+    vtkTranslucencyMaterial::SetMaterial(this->Card, this->Material);
+    this->Renderer->AddActor(this->Card);
+    this->Look({ { 0, 0, 2 } }, { { 0, 0, 0 } }, 1, 20);
+    this->Renderer->GetActiveCamera()->SetViewAngle(120);
+  }
+
+  // From the cosine and a channel to what is expected.
+  void ExpectEach(const std::function<double(double, int)>& expected, const std::string& what)
+  {
+    Picture computed{ Size, Size, std::vector<double>(3 * Size * Size) };
+    for (int i = 0; i < Size * Size; ++i)
+    {
+      const Ray ray(this->Renderer->GetActiveCamera(), i % Size + 0.5, i / Size + 0.5);
+      for (int c = 0; c < 3; ++c)
+      {
+        computed.Rgb[3 * i + c] = 255 * expected(-ray.Direction[2], c);
+      }
+    }
+    ExpectNear(this->Drawn, computed, 1.5, what);
+  }
+
+  const Vector Color{ { 0.2, 0.5, 0.9 } };
+  vtkSmartPointer<vtkActor> Card;
+  vtkNew<vtkTranslucencyMaterial> Material;
+};
+
+const std::vector<Drawing> Surfaces{ { "exact", {} }, { "adaptive", { { "memory", "fixed" } } }, { "mlab", {} },
+  { "kbuffer", {} }, { "peel", {} }, { "peel", { { "method", "bucket-sort" } } }, { "weighted", {} }, { "sorted", {} },
+  { "fourier", { { "memory", "fixed" } } }, { "wavelet", { { "memory", "fixed" } } } };
+
+TEST_F(TestMaterial, GrazingOpacityGoesOverToThePropsOwn)
+{
+  for (const Drawing& drawing : Surfaces)
+  {
+    CardView view(0.2);
+    view.Material->SetGrazingOpacity(0.9);
+    view.Material->SetGrazingExponent(1.5);
+    view.Draw(drawing.Technique, drawing.Options);
+    view.ExpectEach(
+      [&](double cosine, int c)
+      {
+        const double opacity = 0.9 + (0.2 - 0.9) * std::pow(cosine, 1.5);
+        return opacity * view.Color[c] + (1 - opacity) * Background[c];
+      },
+      drawing.Technique);
+  }
+}
+
+TEST_F(TestMaterial, ReflectanceHidesWhatIsTransmitted)
+{
+  for (const double transmission : { 0.0, 1.0 })
+  {
+    for (const Drawing& drawing : Surfaces)
+    {
+      CardView view(0.6);
+      view.Material->SetReflectance(0.1);
+      vtkTranslucencyPass::SetTransmissionColor(view.Card, transmission, transmission, transmission);
+      view.Draw(drawing.Technique, drawing.Options);
+      view.ExpectEach(
+        [&](double cosine, int c)
+        {
+          const double reflects = 0.1 + 0.9 * std::pow(1 - cosine, 5);
+          const double opacity = reflects + (1 - reflects) * 0.6;
+          const double hides = reflects + (1 - reflects) * 0.6 * (1 - transmission);
+          return std::min(1.0, opacity * view.Color[c] + (1 - hides) * Background[c]);
+        },
+        drawing.Technique + " at " + std::to_string(transmission));
+    }
+  }
+  for (const std::string& message : TakeMessages()) // of techniques that keep one transmittance
+  {
+    EXPECT_NE(message.find("by their mean"), std::string::npos) << message;
+  }
+}
+
+TEST_F(TestMaterial, EmissionAddsToTheColor)
+{
+  for (const Drawing& drawing : Surfaces)
+  {
+    CardView view(0.25);
+    view.Material->SetEmissionColor(0.3, 0.1, 0);
+    view.Draw(drawing.Technique, drawing.Options);
+    const Vector emission{ { 0.3, 0.1, 0 } };
+    view.ExpectEach(
+      [&](double, int c) { return 0.25 * (view.Color[c] + emission[c]) + 0.75 * Background[c]; }, drawing.Technique);
+  }
+}
+
+TEST_F(TestMaterial, FacesTheViewerWithoutNormals)
+{
+  CardView view(0.2);
+  view.Card->GetProperty()->LightingOff();
+  view.Material->SetGrazingOpacity(0.9);
+  view.Material->SetGrazingExponent(2);
+  view.Draw("exact");
+  view.Render();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("without normals"), std::string::npos) << messages[0];
+  view.ExpectEach([&](double, int c) { return 0.2 * view.Color[c] + 0.8 * Background[c]; }, "unlit");
+}
+
+// Frames that refine a view begin anew when a material changes.
+TEST_F(TestMaterial, ChangesAreSeenByWhatRefinesAView)
+{
+  CardView view(0.5);
+  view.Draw("stochastic", { { "accumulate", "64" } });
+  const Picture before = view.Drawn;
+  view.Render();
+  view.Material->SetEmissionColor(0.1, 0.1, 0.1);
+  view.Render();
+  view.Material->SetEmissionColor(0, 0, 0);
+  EXPECT_TRUE(view.Render() == before);
+}
+
 TEST_F(TestMaterial, RefusesNumbersOutOfRange)
 {
   const double nan = std::nan("");
@@ -463,6 +590,14 @@ TEST_F(TestMaterial, RefusesNumbersOutOfRange)
     material->SetAttenuationDistance(distance);
   }
   EXPECT_EQ(TakeMessages().size(), 8u);
+  for (const double number : { -0.1, 1.1, nan })
+  {
+    material->SetReflectance(number);
+    material->SetGrazingOpacity(number);
+    material->SetGrazingExponent(1000 * number);
+    material->SetEmissionColor(0.1, number > 1 ? Infinity : number, 0.1);
+  }
+  EXPECT_EQ(TakeMessages().size(), 12u);
   EXPECT_EQ(material->GetMTime(), before);
   EXPECT_EQ(material->GetAttenuationColor()[1], 0.6);
   EXPECT_EQ(material->GetAttenuationDistance(), 2);

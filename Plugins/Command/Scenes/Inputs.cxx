@@ -111,10 +111,8 @@ void AddActors(const Input& input, const std::vector<vtkSmartPointer<vtkActor>>&
     scene.Parts.push_back(part);
   }
 }
-}
 
-//------------------------------------------------------------------------------
-void AddInput(const Input& input, Scene& scene)
+void AddParts(const Input& input, Scene& scene)
 {
   if (AddBuiltInScene(input, scene))
   {
@@ -148,6 +146,18 @@ void AddInput(const Input& input, Scene& scene)
   else
   {
     AddGrid(input, vtkDataSet::SafeDownCast(contents.Data), scene);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void AddInput(const Input& input, Scene& scene)
+{
+  const std::size_t before = scene.Parts.size();
+  AddParts(input, scene);
+  for (std::size_t i = before; i < scene.Parts.size() && input.Material; ++i)
+  {
+    vtkTranslucencyMaterial::SetMaterial(scene.Parts[i].Actor, input.Material);
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include "Scene.h"
 
+#include "vtkTranslucencyMaterial.h"
+
 #include <map>
 #include <optional>
 #include <string>
@@ -46,6 +48,7 @@ struct Input
   std::optional<Color> Tint;
   std::optional<double> Opacity;
   std::optional<Color> Transmission; ///< what surfaces let through of what lies behind them; by default nothing
+  vtkSmartPointer<vtkTranslucencyMaterial> Material; ///< of all parts; null for what the input has
   Meaning Volume = Meaning::Automatic;
   std::vector<double> Isovalues;
   int Levels = 4;                         ///< isosurfaces where no Isovalues are given

@@ -5,6 +5,7 @@
 #include "Basics/Failure.h"
 #include "Basics/Messages.h"
 #include "Basics/Suffix.h"
+#include "GltfImporter.h"
 #include "ReadGuard.h"
 #include "Scene.h"
 
@@ -15,7 +16,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetReader.h"
-#include "vtkGLTFImporter.h"
 #include "vtkMapper.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNew.h"
@@ -120,7 +120,7 @@ const Format Formats[] = {
   { ".stl", ReadTriangles },
   { ".obj", ReadData<vtkOBJReader> },
   { ".wrl", Import<vtkVRMLImporter> },
-  { ".glb", Import<vtkGLTFImporter> },
+  { ".glb", Import<GltfImporter> },
 };
 
 const Format& FindFormat(const std::string& file)

@@ -64,6 +64,10 @@ public:
     input.Tint = this->ReadColor(json, "color");
     Set(json, "opacity", input.Opacity, ToNumber);
     input.Transmission = this->ReadColor(json, "transmission");
+    if (json.contains("material"))
+    {
+      input.Material = ReadMaterial(json.at("material"));
+    }
     const std::string volume = json.value("volume", "automatic");
     input.Volume = volume == "labels" ? Input::Meaning::Labels
       : volume == "isosurfaces"       ? Input::Meaning::Isosurfaces
@@ -94,6 +98,21 @@ public:
 
 private:
   static double ToNumber(const Json& value) { return value.get<double>(); }
+
+  static vtkSmartPointer<vtkTranslucencyMaterial> ReadMaterial(const Json& json)
+  {
+    const auto material = vtkSmartPointer<vtkTranslucencyMaterial>::New();
+    const auto color = [&](const char* key, const double* byDefault) {
+      return json.contains(key) ? ToVector(json.at(key)) : Vector3{ { byDefault[0], byDefault[1], byDefault[2] } };
+    };
+    material->SetAttenuationColor(color("attenuation_color", material->GetAttenuationColor()).data());
+    material->SetAttenuationDistance(json.value("attenuation_distance", material->GetAttenuationDistance()));
+    material->SetEmissionColor(color("emission_color", material->GetEmissionColor()).data());
+    material->SetGrazingOpacity(json.value("grazing_opacity", material->GetGrazingOpacity()));
+    material->SetGrazingExponent(json.value("grazing_exponent", material->GetGrazingExponent()));
+    material->SetReflectance(json.value("reflectance", material->GetReflectance()));
+    return material;
+  }
 
   static Streamtubes ReadStreamtubes(const Json& json)
   {

@@ -21,6 +21,7 @@
 #include "vtkTextureObject.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFactory.h"
+#include "vtkTranslucencyMaterial.h"
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyStatistics.h"
 #include "vtkUnsignedCharArray.h"
@@ -60,6 +61,8 @@ vtkSmartPointer<vtkActor> CopyActor(vtkActor* actor)
   auto copy = vtkSmartPointer<vtkActor>::New();
   copy->ShallowCopy(actor);
   copy->SetShaderProperty(actor->GetShaderProperty());
+  copy->SetForceOpaque(actor->GetForceOpaque());
+  copy->SetForceTranslucent(actor->GetForceTranslucent());
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->vtkPolyDataMapper::ShallowCopy(
     actor->GetMapper()); // its OpenGL override warns of properties that it copies itself
@@ -67,6 +70,7 @@ vtkSmartPointer<vtkActor> CopyActor(vtkActor* actor)
   double transmission[3];
   vtkTranslucencyPass::GetTransmissionColor(actor, transmission);
   vtkTranslucencyPass::SetTransmissionColor(copy, transmission[0], transmission[1], transmission[2]);
+  vtkTranslucencyMaterial::SetMaterial(copy, vtkTranslucencyMaterial::GetMaterial(actor));
   return copy;
 }
 }
@@ -148,17 +152,21 @@ int Stage::AddPass(const Scene& scene, const TechniqueChoice& technique, vtkRend
   player.Renderer->SetBackgroundAlpha(behind ? 1 : 0);
   player.Renderer->DrawOff();
   bool transmits = false;
+  bool hasMaterials = false;
   for (const Part& part : scene.Parts)
   {
     player.Renderer->AddActor(CopyActor(part.Actor));
     double transmission[3];
     vtkTranslucencyPass::GetTransmissionColor(part.Actor, transmission);
     transmits = transmits || transmission[0] > 0 || transmission[1] > 0 || transmission[2] > 0;
+    hasMaterials = hasMaterials || vtkTranslucencyMaterial::GetMaterial(part.Actor);
   }
-  if (transmits && !vtkTranslucencyPass::SafeDownCast(player.Pass))
+  if ((transmits || hasMaterials) && !vtkTranslucencyPass::SafeDownCast(player.Pass))
   {
-    Messages::Get()->DisplayWarningText(
-      ("technique '" + technique.Label + "' draws without transmission colours").c_str());
+    const std::string what = transmits && hasMaterials ? "transmission colours and materials"
+      : transmits                                      ? "transmission colours"
+                                                       : "materials";
+    Messages::Get()->DisplayWarningText(("technique '" + technique.Label + "' draws without " + what).c_str());
   }
   for (const Light& light : scene.Lights)
   {
