@@ -8,8 +8,8 @@
 //
 // Gives: frameTile, the rectangle that is drawn now, in window pixels (x, y, width, height): the viewport, or a part of
 // it when the viewport does not fit into the memory limit; frameClipping, the distances of the near and the far plane,
-// or 1 and 1 where the projection is parallel; frameRays: in eye coordinates, the ray through a window pixel (x, y) goes
-// into the direction (frameRays.x x + frameRays.z, frameRays.y y + frameRays.w, -1).
+// or 1 and 1 where the projection is parallel; frameRays: in eye coordinates, the ray through a window pixel (x, y)
+// goes into the direction (frameRays.x x + frameRays.z, frameRays.y y + frameRays.w, -1).
 #ifndef Frame_glsl
 #define Frame_glsl
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shade.glsl: what a material does to a fragment that VTK has shaded (vtkTranslucencyMaterial): light that it gives off,
-// and opacity by the angle at which it is seen.
+// Shade.glsl: what a material does to a fragment that VTK has shaded (vtkTranslucencyMaterial): light that it gives
+// off, and opacity by the angle at which it is seen.
 //
 // It stands in mappers' shaders, before the fragment is gathered. Props without a material have uniforms that change
 // nothing.
