@@ -23,29 +23,42 @@ vtkTranslucencyMaterial* GetMedium(vtkProp* prop)
   vtkTranslucencyMaterial* material = vtkTranslucencyMaterial::GetMaterial(prop);
   return material && material->Absorbs() ? material : nullptr;
 }
+
+bool IsBody(vtkProp* prop)
+{
+  return GetMedium(prop) && prop->HasTranslucentPolygonalGeometry();
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkTranslucencyMedia::CountProps(const vtkRenderState* state)
+{
+  int props = 0;
+  for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
+  {
+    props += IsBody(vtkTranslucencyProp(state, i)) ? 1 : 0;
+  }
+  return props;
 }
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyMedia::Choose(vtkTranslucencyPass* pass, const vtkRenderState* state, const std::string& lacking)
 {
   this->Absorptions.clear();
-  int props = 0;
   for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
   {
     vtkProp* prop = vtkTranslucencyProp(state, i);
-    vtkTranslucencyMaterial* medium = GetMedium(prop);
-    if (!medium || !prop->HasTranslucentPolygonalGeometry())
-    {
-      continue;
-    }
-    ++props;
     Absorption absorption;
-    medium->GetAbsorption(absorption.data());
-    if (std::find(this->Absorptions.begin(), this->Absorptions.end(), absorption) == this->Absorptions.end())
+    if (IsBody(prop))
     {
-      this->Absorptions.push_back(absorption);
+      GetMedium(prop)->GetAbsorption(absorption.data());
+      if (std::find(this->Absorptions.begin(), this->Absorptions.end(), absorption) == this->Absorptions.end())
+      {
+        this->Absorptions.push_back(absorption);
+      }
     }
   }
+  const int props = CountProps(state);
   std::string wrong;
   if (props > 0 && !(pass->KeepsFragments() && pass->KeepsTransmissionColors()))
   {

@@ -29,6 +29,9 @@ class vtkTranslucencyPass;
 class vtkTranslucencyMedia
 {
 public:
+  /// The translucent props that absorb.
+  static int CountProps(const vtkRenderState* state);
+
   /// Numbers what a state's props are filled with. Whether there is anything that the technique can draw; says what
   /// can't be drawn, once.
   bool Choose(vtkTranslucencyPass* pass, const vtkRenderState* state, const std::string& lacking);

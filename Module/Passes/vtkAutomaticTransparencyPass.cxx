@@ -6,9 +6,12 @@
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyFactory.h"
 #include "vtkTranslucencyFingerprint.h"
+#include "vtkTranslucencyMedia.h"
 #include "vtkTranslucencyOption.h"
 #include "vtkTranslucencyStatistics.h"
+#include "vtkTranslucencyTransmission.h"
 #include "vtkTranslucencyVTKVersion.h"
+#include "vtkVisibilityFunctionPass.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -37,15 +40,17 @@ const std::vector<vtkTechniqueChooser::Candidate> Candidates{
   { "hybrid:layers=16", 0.00059, 3.6, 0, BytesOfSquares, 216, 0 },
   { "adaptive:nodes=8", 0.00122, 1.1, 16, 4 + BytesOfSquares, 0, 8 },
   { "hybrid:layers=8", 0.00204, 1.2, 0, BytesOfSquares, 120, 0 },
+  { "wavelet:memory=fixed:precision=half", 0.00428, 2.7, 0, BytesOfSquares, 60, 0 },
   { "hybrid:layers=4", 0.00813, 0.8, 0, BytesOfSquares, 72, 0 },
-  { "weighted", 0.0422, 0.4, 0, BytesOfSquares, 20, 0 },
+  { "weighted", 0.0315, 0.5, 0, BytesOfSquares, 20, 0 },
 };
 
 // The same of drivers without storage buffers.
 const std::vector<vtkTechniqueChooser::Candidate> CandidatesOfTargets{
   { "peel:method=bucket-sort", 0, 9, 0, BytesOfSquares, 256, 0 },
-  { "fourier:memory=fixed:coefficients=15", 0.00295, 3.3, 0, BytesOfSquares, 156, 0 },
-  { "weighted", 0.0422, 0.4, 0, BytesOfSquares, 20, 0 },
+  { "wavelet:memory=fixed:rank=4", 0.00319, 3.9, 0, BytesOfSquares, 156, 0 },
+  { "wavelet:memory=fixed:precision=half", 0.00428, 2.7, 0, BytesOfSquares, 60, 0 },
+  { "weighted", 0.0315, 0.5, 0, BytesOfSquares, 20, 0 },
 };
 
 // "adaptive:nodes=8"
@@ -252,21 +257,28 @@ vtkSmartPointer<vtkTranslucencyPass> vtkAutomaticTransparencyPass::NewDelegate(c
 }
 
 //------------------------------------------------------------------------------
-// Those that the driver can run; all if it can run none, so that the chosen one says what is missing.
-void vtkAutomaticTransparencyPass::FindCandidates(vtkOpenGLRenderWindow* window)
+// Those that the driver can run and that draw all that the props ask for; all if it can run none, so that the chosen
+// one says what is missing. Without storage buffers none absorbs, and weighted alone keeps transmission colours, which
+// is no reason to draw by it.
+void vtkAutomaticTransparencyPass::FindCandidates(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
 {
-  const std::string device = this->GetCapabilities(window).Renderer + ", " + std::to_string(this->CriticalSection);
+  const bool storage = this->GetCapabilities(window).MissingForStorage.empty();
+  const bool transmits = storage && vtkTranslucencyTransmission::CountProps(state).Props > 0;
+  const bool absorbs = storage && vtkTranslucencyMedia::CountProps(state) > 0;
+  const std::string device = this->GetCapabilities(window).Renderer + ", " + std::to_string(this->CriticalSection) +
+    (transmits ? ", transmits" : "") + (absorbs ? ", absorbs" : "");
   if (this->Device == device)
   {
     return;
   }
   this->Device = device;
   std::vector<vtkTechniqueChooser::Candidate> candidates;
-  const bool storage = this->GetCapabilities(window).MissingForStorage.empty();
   const std::vector<vtkTechniqueChooser::Candidate>& known = storage ? Candidates : CandidatesOfTargets;
   for (const vtkTechniqueChooser::Candidate& candidate : known)
   {
-    if (this->NewDelegate(candidate.Name)->GetMissing(window).empty())
+    const auto pass = this->NewDelegate(candidate.Name);
+    const bool whole = (!transmits || pass->KeepsTransmissionColors()) && (!absorbs || pass->KeepsFragments());
+    if (whole && pass->GetMissing(window).empty())
     {
       candidates.push_back(candidate);
     }
@@ -305,11 +317,15 @@ void vtkAutomaticTransparencyPass::Choose(const vtkRenderState* state)
     this->Delegate = this->NewDelegate(candidate.Name);
   }
   const double budget = this->BudgetMebibytes * BytesPerMiB;
-  const double limit =
-    this->Chooser->GetBytes(chosen, view) <= budget ? budget - GetBytesOutsideLimit(candidate, view) : 0;
+  // What does not fit can't be drawn in tiles, but for lists.
+  const double limit = this->Chooser->GetBytes(chosen, view) <= budget || this->Delegate->KeepsFragments()
+    ? budget - GetBytesOutsideLimit(candidate, view)
+    : 0;
+  auto* function = vtkVisibilityFunctionPass::SafeDownCast(this->Delegate);
+  const bool limited = !function || function->KeepsFragments() || function->UsesInFixedMemory("MemoryLimit");
   for (const vtkTranslucencyOption& option : this->Delegate->GetOptions())
   {
-    if (option.Keyword == "memory_limit")
+    if (option.Keyword == "memory_limit" && limited)
     {
       option.Set(std::max(0.0, limit) / BytesPerMiB);
     }
@@ -354,7 +370,7 @@ void vtkAutomaticTransparencyPass::RenderTranslucent(const vtkRenderState* state
     return;
   }
   const bool selecting = state->GetRenderer()->GetSelector() != nullptr;
-  this->FindCandidates(window);
+  this->FindCandidates(state, window);
   if (!selecting || !this->Delegate)
   {
     this->Choose(state);

@@ -13,12 +13,18 @@
  * - exact, adaptive:nodes=16: 16 per fragment, 4 per pixel, and 8 per sample in multi-sampled windows
  * - hybrid:layers=16: 216 per pixel
  * - adaptive:nodes=8: as exact
- * - hybrid:layers=8, hybrid:layers=4: 120 and 72 per pixel
+ * - hybrid:layers=8: 120 per pixel
+ * - wavelet:memory=fixed:precision=half: 60 per pixel
+ * - hybrid:layers=4: 72 per pixel
  * - weighted: 20 per pixel
  * Where the driver has no storage buffers:
  * - peel:method=bucket-sort: 256 per pixel
- * - fourier:memory=fixed:coefficients=15: 156 per pixel
+ * - wavelet:memory=fixed:rank=4: 156 per pixel
+ * - wavelet:memory=fixed:precision=half: 60 per pixel
  * - weighted: 20 per pixel
+ * Where a prop has a transmission colour, wavelet is left out, which would take the mean; where a body absorbs
+ * (vtkTranslucencyMaterial), exact and adaptive are left. On a driver without storage buffers the choice is the same
+ * with and without.
  *
  * The order of quality is that of the mean distance from the exact picture of three scenes (Documentation/Figures.md).
  * The time that is expected of a candidate, relative to exact, is that of a software rasterizer only until it has drawn
@@ -115,7 +121,7 @@ protected:
 private:
   void SetNumber(const char* name, double& member, double value);
   vtkSmartPointer<vtkTranslucencyPass> NewDelegate(const std::string& technique);
-  void FindCandidates(vtkOpenGLRenderWindow* window);
+  void FindCandidates(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
   void Choose(const vtkRenderState* state);
   void Observe();
 

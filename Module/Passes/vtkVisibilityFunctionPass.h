@@ -43,6 +43,11 @@ public:
   std::vector<vtkTranslucencyOption> GetOptions() override;
   bool KeepsFragments() const override { return this->Memory == Variable; }
 
+  /**
+   * Whether an option of the fragment lists, by its name of a property, is used where Memory is Fixed.
+   */
+  virtual bool UsesInFixedMemory(const std::string& name) const;
+
 protected:
   vtkVisibilityFunctionPass() = default;
   ~vtkVisibilityFunctionPass() override = default;
@@ -56,11 +61,6 @@ protected:
    * RenderStages where Memory is Fixed; where it is Variable, lists are gathered and ResolveLists draws them.
    */
   virtual bool RenderFixed(vtkTranslucencyFrame& frame) = 0;
-
-  /**
-   * Whether RenderFixed uses an option of the fragment lists, by its name of a property.
-   */
-  virtual bool UsesInFixedMemory(const std::string& name) const;
 
   bool RenderStages(vtkTranslucencyFrame& frame) override;
 
