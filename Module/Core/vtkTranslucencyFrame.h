@@ -192,6 +192,9 @@ public:
   /// True while there are tiles left; makes the next one current.
   bool NextTile();
 
+  /// What the camera's picture fills.
+  const Rectangle& GetPicture() const { return this->Picture; }
+
   /// What is drawn: all of it, and the current tile.
   const Rectangle& GetViewport() const;
   const Rectangle& GetTile() const;

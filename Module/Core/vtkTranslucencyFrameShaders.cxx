@@ -23,13 +23,15 @@ const std::string Version = "//VTK::System::Dec\n";
 
 // What goes into a mapper's shader where it has shaded a fragment; GATHERED_DEPTH stands for its depth, GATHERED_NORMAL
 // for its normal.
-std::string GatherCall(int outputs, bool critical, const vtkTranslucencyFrameShaders::Context& context)
+std::string GatherCall(const vtkTranslucencyGathering& gathering, const vtkTranslucencyFrameShaders::Context& context)
 {
-  std::string call = "gatherFragment(gl_FragData[0], GATHERED_DEPTH);\n";
+  const int outputs = gathering.Outputs;
+  const std::string normal = gathering.Normals ? ", GATHERED_NORMAL" : "";
+  std::string call = "gatherFragment(gl_FragData[0], GATHERED_DEPTH" + normal + ");\n";
   if (outputs > 0)
   {
-    call = "vec4 gatherOutputs[" + std::to_string(outputs) +
-      "];\ngatherFragment(gl_FragData[0], GATHERED_DEPTH, gatherOutputs);\n";
+    call = "vec4 gatherOutputs[" + std::to_string(outputs) + "];\ngatherFragment(gl_FragData[0], GATHERED_DEPTH" +
+      normal + ", gatherOutputs);\n";
   }
   if (context.TakesMean)
   {
@@ -39,7 +41,7 @@ std::string GatherCall(int outputs, bool critical, const vtkTranslucencyFrameSha
   {
     call = "gl_FragData[0] = shadeSurface(gl_FragData[0], GATHERED_NORMAL);\n" + call;
   }
-  if (critical)
+  if (gathering.Critical)
   {
     call = "BEGIN_CRITICAL_SECTION\n" + call + "END_CRITICAL_SECTION\n";
   }
@@ -219,7 +221,7 @@ bool vtkTranslucencyFrameShaders::PrepareStoring()
   }
   vtkTranslucencyMapperHook::GatherText text;
   text.Declarations = colors + shader.GetText();
-  text.Call = GatherCall(0, false, this->Current);
+  text.Call = GatherCall({}, this->Current);
   text.Stores = true;
   mappers->SetText(key, text);
   mappers->GetVolumes().SetGatherText(volumes.GetText());
@@ -238,7 +240,7 @@ bool vtkTranslucencyFrameShaders::PrepareGathering(const vtkTranslucencyGatherin
     return true;
   }
   vtkTranslucencyMapperHook::GatherText text;
-  text.Call = GatherCall(gathering.Outputs, gathering.Critical, this->Current);
+  text.Call = GatherCall(gathering, this->Current);
   text.Stores = gathering.Critical || gathering.Atomic;
   text.Fetches = gathering.Critical && this->Current.RecordTargets > 0;
   text.Rejects = gathering.Rejects;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyMapperHook.h"
 
+#include "vtkTranslucencyBackground.h"
 #include "vtkTranslucencyPass.h" // for transmission colours
 #include "vtkTranslucencySurfaces.h"
 #include "vtkTranslucencyVTKVersion.h"
@@ -193,8 +194,10 @@ bool vtkTranslucencyMapperHook::SetParameters(vtkShaderProgram* program, vtkProp
   {
     double color[3];
     vtkTranslucencyPass::GetTransmissionColor(prop, color);
+    vtkTranslucencySurfaces::Disperse(prop, color);
     program->SetUniform3f("gatherTransmission", color);
   }
+  vtkTranslucencyShader::SetUniforms(program, vtkTranslucencyBackground::GetUniforms(prop));
   vtkTranslucencyShader::SetUniforms(program, vtkTranslucencySurfaces::GetUniforms(prop));
   vtkTranslucencyShader::SetUniforms(program, { { "gatherMedium", this->Media.GetNumber(prop) } });
   const char* sampler = "translucencyOpaqueDepth";

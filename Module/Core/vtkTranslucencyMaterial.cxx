@@ -27,6 +27,10 @@ void vtkTranslucencyMaterial::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GrazingOpacity: " << this->GrazingOpacity << "\n";
   os << indent << "GrazingExponent: " << this->GrazingExponent << "\n";
   os << indent << "Reflectance: " << this->Reflectance << "\n";
+  os << indent << "IndexOfRefraction: " << this->IndexOfRefraction << "\n";
+  os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "Diffusion: " << this->Diffusion << "\n";
+  os << indent << "Dispersion: " << this->Dispersion << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -149,6 +153,30 @@ void vtkTranslucencyMaterial::SetReflectance(double reflectance)
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetIndexOfRefraction(double index)
+{
+  this->SetNumber("IndexOfRefraction", this->IndexOfRefraction, index, 1, 100);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetThickness(double thickness)
+{
+  this->SetNumber("Thickness", this->Thickness, thickness, 0, std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetDiffusion(double diffusion)
+{
+  this->SetNumber("Diffusion", this->Diffusion, diffusion, 0, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyMaterial::SetDispersion(double dispersion)
+{
+  this->SetNumber("Dispersion", this->Dispersion, dispersion, 0, 1);
+}
+
+//------------------------------------------------------------------------------
 void vtkTranslucencyMaterial::GetAbsorption(double absorption[3])
 {
   for (int i = 0; i < 3; ++i)
@@ -169,6 +197,12 @@ bool vtkTranslucencyMaterial::Absorbs()
 bool vtkTranslucencyMaterial::Emits()
 {
   return this->EmissionColor[0] > 0 || this->EmissionColor[1] > 0 || this->EmissionColor[2] > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyMaterial::ChangesBackground()
+{
+  return this->IndexOfRefraction > 1 || this->Diffusion > 0;
 }
 
 //------------------------------------------------------------------------------

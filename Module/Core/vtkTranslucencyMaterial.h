@@ -29,7 +29,8 @@
  *
  * The surfaces themselves stay what they are: clear glass has an opacity near 0, or a white transmission colour.
  *
- * What a material does to its surfaces (emission, opacity by angle, reflectance) every technique draws.
+ * What a material does to its surfaces (emission, opacity by angle, reflectance) and to the opaque picture behind them
+ * (refraction, diffusion, dispersion) every technique draws.
  *
  * Techniques that keep all fragments absorb (vtkTranslucencyPass::KeepsFragments), since they know both depths. Others
  * draw the prop without, after an error that says which do.
@@ -118,6 +119,50 @@ public:
   vtkGetMacro(Reflectance, double);
   ///@}
 
+  ///@{
+  /**
+   * The index of refraction, 1 to 100: 1 (the default) for none, 1.33 for water, 1.5 for glass. The opaque picture is
+   * displaced behind the surface, by Snell's law at its normal, as if it lay in a plane at the pixel's opaque depth, or
+   * in the far clipping plane where nothing opaque is. Front faces bend the ray and back faces bend it back, for the
+   * distance to that plane: a body takes a closed mesh. Translucent surfaces behind are not displaced. What lies
+   * outside the picture is that of its edge, and what is nearer than the surface is not seen in it. Another number is
+   * an error and changes nothing.
+   */
+  void SetIndexOfRefraction(double index);
+  vtkGetMacro(IndexOfRefraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * 0 (the default) for surfaces that bound a body, as above; above 0 each surface is a pane that is that thick, in
+   * world units, and displaces by that alone. Another number is an error and changes nothing.
+   */
+  void SetThickness(double thickness);
+  vtkGetMacro(Thickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Frosted surfaces: how fast what is behind them blurs with its distance from them, as the standard deviation of a
+   * Gaussian in units of that distance; 0 (the default) for none. The variances of several surfaces add up. Only the
+   * opaque picture is blurred (McGuire and Mara 2017, "Phenomenological transparency"). Another number, or one above 1,
+   * is an error and changes nothing.
+   */
+  void SetDiffusion(double diffusion);
+  vtkGetMacro(Diffusion, double);
+  ///@}
+
+  ///@{
+  /**
+   * Chromatic aberration: the length of the segment over which colours are spread, as a part of the displacement; 0
+   * (the default) for none, up to 1. Five samples along it have spectral weights. Where it is above 0 and the index of
+   * refraction above 1, the prop's transmission colour counts as its cube, for what bodies absorb (Aizenshtein et al.
+   * 2021, "Wavelet transparency", section 3). Another number is an error and changes nothing.
+   */
+  void SetDispersion(double dispersion);
+  vtkGetMacro(Dispersion, double);
+  ///@}
+
   /**
    * What a world unit of it absorbs: the absorbance, -ln(transmittance), of red, green and blue.
    */
@@ -132,6 +177,11 @@ public:
    * Whether its surfaces give off light.
    */
   bool Emits();
+
+  /**
+   * Whether what is opaque is seen differently behind its surfaces.
+   */
+  bool ChangesBackground();
 
   /**
    * Whether its surfaces are seen differently from different angles. That takes normals, which VTK's shaders have where
@@ -149,6 +199,10 @@ protected:
   double GrazingOpacity = 1;
   double GrazingExponent = 0;
   double Reflectance = 0;
+  double IndexOfRefraction = 1;
+  double Thickness = 0;
+  double Diffusion = 0;
+  double Dispersion = 0;
 
 private:
   void SetNumber(const char* name, double& member, double value, double least, double most);

@@ -31,6 +31,12 @@ bool IsBody(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTranslucencyMedia::IsMirrored(vtkProp* prop)
+{
+  return prop->GetMatrix() && prop->GetMatrix()->Determinant() < 0;
+}
+
+//------------------------------------------------------------------------------
 int vtkTranslucencyMedia::CountProps(const vtkRenderState* state)
 {
   int props = 0;
@@ -102,8 +108,7 @@ int vtkTranslucencyMedia::GetNumber(vtkProp* prop) const
   {
     return 0;
   }
-  const bool mirrors = prop->GetMatrix() && prop->GetMatrix()->Determinant() < 0;
-  return static_cast<int>(found - this->Absorptions.begin()) + 1 + (mirrors ? MEDIUM_FRONT : 0);
+  return static_cast<int>(found - this->Absorptions.begin()) + 1 + (IsMirrored(prop) ? MEDIUM_FRONT : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,9 @@ class vtkTranslucencyPass;
 class vtkTranslucencyMedia
 {
 public:
+  /// Whether a prop's matrix makes back faces of its front faces.
+  static bool IsMirrored(vtkProp* prop);
+
   /// The translucent props that absorb.
   static int CountProps(const vtkRenderState* state);
 

@@ -72,7 +72,8 @@ struct vtkTranslucencyPass::Internals
   vtkNew<vtkVolumetricPass> VolumesAlone;
 
   vtkSmartPointer<vtkTranslucencyPass> Other;   // the fallback
-  bool StandsIn = false;                        // whether this pass is one
+  bool StandsIn = false;                        // whether this pass is one,
+  bool BackgroundChanged = false;               // and the other one has changed what is behind it
   vtkSmartPointer<vtkDepthPeelingPass> Peeling; // where that fails
   vtkTranslucencyPeelingGuard Guard;
 
@@ -281,49 +282,13 @@ std::string vtkTranslucencyPass::FindMissingForCriticalSection(const vtkTransluc
 //------------------------------------------------------------------------------
 void vtkTranslucencyPass::SetTransmissionColor(vtkProp* prop, double red, double green, double blue)
 {
-  if (!prop)
-  {
-    vtkGenericWarningMacro(<< "SetTransmissionColor: the prop is null");
-    return;
-  }
-  for (double channel : { red, green, blue })
-  {
-    if (!(channel >= 0 && channel <= 1))
-    {
-      vtkErrorWithObjectMacro(prop, << "the transmission colour is (" << red << ", " << green << ", " << blue
-                                    << "), expected three numbers from 0 to 1");
-      return;
-    }
-  }
-  double before[3];
-  if (vtkTranslucencyTransmission::HasColor(prop) && GetTransmissionColor(prop, before) && before[0] == red &&
-    before[1] == green && before[2] == blue)
-  {
-    return;
-  }
-  if (!prop->GetPropertyKeys())
-  {
-    vtkNew<vtkInformation> keys;
-    prop->SetPropertyKeys(keys);
-  }
-  prop->GetPropertyKeys()->Set(TRANSMISSION_COLOR(), red, green, blue);
-  prop->Modified();
+  vtkTranslucencyTransmission::SetColor(prop, { { red, green, blue } });
 }
 
 //------------------------------------------------------------------------------
 bool vtkTranslucencyPass::GetTransmissionColor(vtkProp* prop, double color[3])
 {
-  const double* kept =
-    vtkTranslucencyTransmission::HasColor(prop) ? prop->GetPropertyKeys()->Get(TRANSMISSION_COLOR()) : nullptr;
-  const double unset = vtkTranslucencyTransmission::IsEmissive(prop) ? 1 : 0;
-  bool valid = true;
-  for (int i = 0; i < 3; ++i)
-  {
-    color[i] = kept ? kept[i] : unset;
-    valid = valid && color[i] >= 0 && color[i] <= 1;
-    color[i] = color[i] > 0 ? std::min(color[i], 1.0) : 0; // NaN becomes 0
-  }
-  return valid;
+  return vtkTranslucencyTransmission::GetColor(prop, color);
 }
 
 //------------------------------------------------------------------------------
@@ -389,6 +354,7 @@ void vtkTranslucencyPass::RenderTranslucent(const vtkRenderState* state, vtkRend
   vtkRenderer* renderer = state->GetRenderer();
   this->NumberOfRenderedProps = 0;
   kept.Statistics->Reset();
+  kept.Background.BeginFrame(this->Internal->BackgroundChanged);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || !this->TranslucentPass)
   {
@@ -434,7 +400,8 @@ std::string vtkTranslucencyPass::RenderTiles(const vtkRenderState* state, vtkOpe
   while ((whole ? error.empty() : true) && frame.NextTile())
   {
     ++tiles;
-    if (this->RenderStages(frame))
+    vtkTranslucencyResources& kept = this->Internal->Resources;
+    if (kept.Background.Change(frame, kept.Mappers->GetOpaqueDepth()) && this->RenderStages(frame))
     {
       whole = false;
       continue;
@@ -540,6 +507,7 @@ void vtkTranslucencyPass::RenderFallback(
     other.TakeReference(vtkTranslucencyNewFallback(this->HasStorage));
     other->Internal->StandsIn = true;
   }
+  other->Internal->BackgroundChanged = kept.Background.IsChanged();
   other->SetTranslucentPass(this->TranslucentPass);
   other->SetMeasureTimes(this->MeasureTimes);
   other->RenderTranslucent(state, volumetricPass);
@@ -565,7 +533,7 @@ void vtkTranslucencyPass::RenderByVTK(
   const bool peel = samples == 0;
   this->SayFallback(reason, lacking,
     std::string(peel ? "VTK's depth peeling" : "blending, in drawing order,") +
-      (vtkTranslucencyTransmission::CountProps(state).Props > 0 ? " without transmission colours" : ""));
+      vtkTranslucencyTransmission::DescribeLost(state));
   kept.Statistics->SetFallback(peel ? "peeling" : "blending");
   vtkRenderPass* drawing = this->TranslucentPass;
   if (peel)

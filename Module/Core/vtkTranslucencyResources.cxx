@@ -6,7 +6,8 @@ VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTranslucencyResources::GetBytes()
 {
-  return this->Resolved.GetBytes() + this->SampleColors.GetBytes() + this->Layers.GetBytes();
+  return this->Resolved.GetBytes() + this->SampleColors.GetBytes() + this->Layers.GetBytes() +
+    this->Background.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -15,6 +16,7 @@ void vtkTranslucencyResources::Release(bool contextAlive)
   this->Mappers->Release();
   this->Unreached.Release();
   this->Layers.Release(contextAlive);
+  this->Background.Release(contextAlive);
   this->Tiles.Forget();
   this->Programs.Release(contextAlive);
   this->Resolved.Release(contextAlive);

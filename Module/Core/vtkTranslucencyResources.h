@@ -8,6 +8,7 @@
 #ifndef vtkTranslucencyResources_h
 #define vtkTranslucencyResources_h
 
+#include "vtkTranslucencyBackground.h"
 #include "vtkTranslucencyBuffer.h"
 #include "vtkTranslucencyCapabilities.h"
 #include "vtkTranslucencyLayers.h"
@@ -51,6 +52,7 @@ struct vtkTranslucencyResources
   double ResolveTime = -1;
   int RenderedProps = 0; // by the last drawing
 
+  vtkTranslucencyBackground Background;
   vtkTranslucencyTransmission Transmission;
   std::string MissingForSamples; // the reason for drawing with one sample that was last warned of
 

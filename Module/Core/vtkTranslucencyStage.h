@@ -30,6 +30,7 @@ struct vtkTranslucencyGathering
   vtkTranslucencyShader::Defines Values;
   int Outputs = 0;       ///< colours that are drawn to targets
   bool Critical = false; ///< whether it changes records of pixels under a critical section
+  bool Normals = false;  ///< whether gatherFragment wants the normal behind the depth
   bool Atomic = false;   ///< whether it changes words of them by atomic operations
   bool Rejects =
     false; ///< whether File gives rejectsFragment(depth), too: what it is true for is discarded before it is shaded

@@ -42,6 +42,16 @@ vtkTranslucencyShader::Uniforms vtkTranslucencySurfaces::GetUniforms(vtkProp* pr
 }
 
 //------------------------------------------------------------------------------
+void vtkTranslucencySurfaces::Disperse(vtkProp* prop, double color[3])
+{
+  vtkTranslucencyMaterial* material = vtkTranslucencyMaterial::GetMaterial(prop);
+  if (material && material->GetDispersion() > 0 && material->GetIndexOfRefraction() > 1)
+  {
+    std::transform(color, color + 3, color, [](double channel) { return channel * channel * channel; });
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkTranslucencySurfaces::FindNormal(const std::string& fragmentShader, vtkProp* prop)
 {
   const std::string normal = "normalVCVSOutput";
@@ -50,9 +60,9 @@ std::string vtkTranslucencySurfaces::FindNormal(const std::string& fragmentShade
     return normal;
   }
   vtkTranslucencyMaterial* material = vtkTranslucencyMaterial::GetMaterial(prop);
-  if (material && material->DependsOnAngle())
+  if (material && (material->DependsOnAngle() || material->GetIndexOfRefraction() > 1))
   {
-    vtkWarningWithObjectMacro(prop, << "the material's opacity depends on the angle, but " << prop->GetClassName()
+    vtkWarningWithObjectMacro(prop, << "the material depends on the angle, but " << prop->GetClassName()
                                     << " is drawn without normals, as without lighting: it is drawn as if it faced "
                                        "the viewer");
   }

@@ -26,6 +26,9 @@ public:
   /// What the text is given for a prop.
   static vtkTranslucencyShader::Uniforms GetUniforms(vtkProp* prop);
 
+  /// Makes a transmission colour its cube where the prop's material disperses, as the paper has it.
+  static void Disperse(vtkProp* prop, double color[3]);
+
   /// The normal in a mapper's shader, as the text wants it. Where there is none it warns, if the prop's material asks
   /// for angles.
   static std::string FindNormal(const std::string& fragmentShader, vtkProp* prop);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTranslucencyTransmission.h"
 
+#include "vtkTranslucencyMaterial.h"
 #include "vtkTranslucencyPass.h"
 #include "vtkTranslucencyVTKVersion.h"
 
@@ -11,6 +12,8 @@
 #include "vtkNew.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPropCollection.h"
+
+#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -71,6 +74,68 @@ vtkTranslucencyTransmission::Count vtkTranslucencyTransmission::CountProps(const
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkTranslucencyTransmission::SetColor(vtkProp* prop, const std::array<double, 3>& color)
+{
+  if (!prop)
+  {
+    vtkGenericWarningMacro(<< "SetTransmissionColor: the prop is null");
+    return;
+  }
+  for (double channel : color)
+  {
+    if (!(channel >= 0 && channel <= 1))
+    {
+      vtkErrorWithObjectMacro(prop, << "the transmission colour is (" << color[0] << ", " << color[1] << ", "
+                                    << color[2] << "), expected three numbers from 0 to 1");
+      return;
+    }
+  }
+  double before[3];
+  if (HasColor(prop) && GetColor(prop, before) && std::equal(color.begin(), color.end(), before))
+  {
+    return;
+  }
+  if (!prop->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    prop->SetPropertyKeys(keys);
+  }
+  prop->GetPropertyKeys()->Set(vtkTranslucencyPass::TRANSMISSION_COLOR(), color[0], color[1], color[2]);
+  prop->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTranslucencyTransmission::GetColor(vtkProp* prop, double color[3])
+{
+  const double* kept =
+    HasColor(prop) ? prop->GetPropertyKeys()->Get(vtkTranslucencyPass::TRANSMISSION_COLOR()) : nullptr;
+  const double unset = IsEmissive(prop) ? 1 : 0;
+  bool valid = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    color[i] = kept ? kept[i] : unset;
+    valid = valid && color[i] >= 0 && color[i] <= 1;
+    color[i] = color[i] > 0 ? std::min(color[i], 1.0) : 0; // NaN becomes 0
+  }
+  return valid;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTranslucencyTransmission::DescribeLost(const vtkRenderState* state)
+{
+  const bool colors = CountProps(state).Props > 0;
+  bool materials = false;
+  for (int i = 0; i < vtkTranslucencyPropCount(state); ++i)
+  {
+    materials = materials || vtkTranslucencyMaterial::GetMaterial(vtkTranslucencyProp(state, i));
+  }
+  return colors && materials ? " without transmission colours and materials"
+    : colors                 ? " without transmission colours"
+    : materials              ? " without materials"
+                             : "";
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 
 #include "vtkTranslucencyABINamespace.h"
 
+#include <array>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -23,6 +24,13 @@ class vtkTranslucencyTransmission
 {
 public:
   static bool HasColor(vtkProp* prop);
+
+  /// vtkTranslucencyPass::SetTransmissionColor and GetTransmissionColor.
+  static void SetColor(vtkProp* prop, const std::array<double, 3>& color);
+  static bool GetColor(vtkProp* prop, double color[3]);
+
+  /// What is lost of a state's props where VTK draws them: " without transmission colours", or empty.
+  static std::string DescribeLost(const vtkRenderState* state);
 
   /// Whether it is added to the picture, and has no colour of its own.
   static bool IsEmissive(vtkProp* prop);

@@ -223,11 +223,13 @@ def transmission_of_scene(command, folder):
 def material_of_scene(command, folder):
     """Each property of a material changes the picture."""
     changes = ({}, {"attenuation_color": [0.2, 0.5, 0.9], "attenuation_distance": 1}, {"attenuation_color": [0.2, 0.5, 0.9], "attenuation_distance": 2},
-               {"emission_color": [0, 0.2, 0.1]}, {"grazing_exponent": 2}, {"grazing_exponent": 2, "grazing_opacity": 0}, {"reflectance": 0.04})
+               {"emission_color": [0, 0.2, 0.1]}, {"grazing_exponent": 2}, {"grazing_exponent": 2, "grazing_opacity": 0}, {"reflectance": 0.04},
+               {"index_of_refraction": 1.5}, {"index_of_refraction": 1.5, "thickness": 0.5}, {"index_of_refraction": 1.5, "dispersion": 0.5}, {"diffusion": 0.1})
     pictures = set()
     for material in changes:
         scene = json.loads((folder / "scene.json").read_text())
         scene["actors"][0]["material"] = material
+        scene["actors"].append({"file": "ok.ply", "opacity": 1, "color": "teal"})  # to be seen through it
         (folder / "changed.json").write_text(json.dumps(scene))
         succeeds(command, folder, ["render", "--scene", "changed.json", "--technique", "exact", "-o", "a.png"])
         pictures.add((folder / "a.png").read_bytes())
@@ -709,6 +711,7 @@ CASES.update({
     "BadSceneMaterialKey": scene_fails(put("actors", 0, "material", value={"ior": 2}), r"at '/actors/0/material': unknown key 'ior', expected an object"),
     "BadSceneMaterialColor": scene_fails(put("actors", 0, "material", value={"attenuation_color": [0, 1, 1]}),
                                          r"at '/actors/0/material/attenuation_color/0': is 0, expected a number above 0"),
+    "BadSceneMaterialIndex": scene_fails(put("actors", 0, "material", value={"index_of_refraction": 0.5}), r"is 0\.5, expected a number from 1 to 100"),
     "BadSceneMaterialDistance": scene_fails(put("actors", 0, "material", value={"attenuation_distance": -1}), r"is -1, expected a number above 0"),
     "BadSceneColor": scene_fails(put("actors", 0, "color", value="reddish"), r"scene\.json: color is 'reddish', expected #rrggbb"),
     "BadSceneSize": scene_fails(put("size", value=[0, 10]), r"at '/size/0': is 0, expected"),

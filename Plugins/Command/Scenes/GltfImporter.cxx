@@ -94,6 +94,7 @@ private:
     const Json volume = this->Get("KHR_materials_volume", "thicknessTexture");
     if (ReadNumber(volume, this->What, "thicknessFactor", 0, 0) > 0)
     {
+      material->SetIndexOfRefraction(index);
       const Json color = volume.value("attenuationColor", Json({ 1, 1, 1 }));
       if (!color.is_array() || color.size() != 3 ||
         !std::all_of(color.begin(), color.end(), [](const Json& value) { return value.is_number(); }))

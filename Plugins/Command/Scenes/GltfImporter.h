@@ -9,7 +9,7 @@
  * - A volume whose thickness factor is above 0 absorbs between the surfaces of its mesh, whose own thickness counts.
  * With a thickness factor of 0 the walls are thin, and nothing absorbs. Back faces are drawn, which VTK culls
  * otherwise.
- * - The index of refraction, 1.5 if it is not given, says what the surface reflects.
+ * - The index of refraction, 1.5 if it is not given, says what the surface reflects, and how a volume refracts.
  * Textures of these extensions are not read, with a warning.
  */
 #ifndef GltfImporter_h

@@ -111,6 +111,10 @@ private:
     material->SetGrazingOpacity(json.value("grazing_opacity", material->GetGrazingOpacity()));
     material->SetGrazingExponent(json.value("grazing_exponent", material->GetGrazingExponent()));
     material->SetReflectance(json.value("reflectance", material->GetReflectance()));
+    material->SetIndexOfRefraction(json.value("index_of_refraction", material->GetIndexOfRefraction()));
+    material->SetThickness(json.value("thickness", material->GetThickness()));
+    material->SetDiffusion(json.value("diffusion", material->GetDiffusion()));
+    material->SetDispersion(json.value("dispersion", material->GetDispersion()));
     return material;
   }
 
