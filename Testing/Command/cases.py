@@ -229,7 +229,8 @@ def material_of_scene(command, folder):
     for material in changes:
         scene = json.loads((folder / "scene.json").read_text())
         scene["actors"][0]["material"] = material
-        scene["actors"].append({"file": "ok.ply", "opacity": 1, "color": "teal"})  # to be seen through it
+        scene["actors"][1]["labels"][0]["opacity"] = 1  # to be seen through it,
+        scene["camera"]["direction"] = [1, 1, 1]  # from here
         (folder / "changed.json").write_text(json.dumps(scene))
         succeeds(command, folder, ["render", "--scene", "changed.json", "--technique", "exact", "-o", "a.png"])
         pictures.add((folder / "a.png").read_bytes())

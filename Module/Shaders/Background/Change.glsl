@@ -8,9 +8,9 @@
 // are weighted by the spectrum (Aizenshtein et al. 2021, section 3): red is bent least. The weights of a channel add up
 // to one, here by construction: each is divided by their sum.
 //
-// A blur is a Gaussian's: BLUR_TAPS samples, each for the same share of it, on a spiral of golden angles, from a level of
-// the picture whose pixels are as wide as they are apart. What is nearer than the surface is not seen through it, and
-// left out; where it blurs, a pixel of that level may still hold some of it.
+// A blur is a Gaussian's: BLUR_TAPS samples, each for the same share of it, on a spiral of golden angles, from a level
+// of the picture whose pixels are as wide as they are apart. What is nearer than the surface is not seen through it,
+// and left out; where it blurs, a pixel of that level may still hold some of it.
 //
 // Needs: TARGET_SAMPLES, SHADES_SAMPLES.
 #include "Common/Target.glsl"
