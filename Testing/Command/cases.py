@@ -487,6 +487,7 @@ BUILT_IN = {
     "foliage": ["scene:foliage", "scene:foliage:seed=2", "scene:foliage:count=140"],
     "car": ["scene:car", "scene:car:seed=2", "scene:car:count=12"],
     "bottle": ["scene:bottle", "scene:bottle:label=yes"],
+    "matter": ["scene:matter", "scene:matter:materials=no"],
     "particles": ["scene:particles", "scene:particles:seed=2", "scene:particles:count=90"],
 }
 
@@ -570,6 +571,7 @@ CASES = {
     "SceneFoliage": fragments_of("scene:foliage", 1.9e6, 2.3e6),
     "SceneCar": fragments_of("scene:car", 4.0e6, 4.6e6),
     "SceneBottle": fragments_of("scene:bottle", 3.8e5, 4.3e5, tinted=True),
+    "SceneMatter": fragments_of("scene:matter", 3.8e5, 4.2e5, tinted=True),
     "SceneParticles": fragments_of("scene:particles", 5.3e6, 6.0e6),
     **{f"SceneSame-{name}": same_each_time(*scenes) for name, scenes in BUILT_IN.items()},
     "SceneSetting": scene_changes_setting,
@@ -664,8 +666,9 @@ CASES.update({
        for name, count, fits in [("smoke", 0, r"1\.\.100000$"), ("glasses", 1001, r"1\.\.1000$"), ("foliage", 9, r"10\.\.100000$"),
                                  ("car", "2.5", r"1\.\.10000$"), ("particles", 1, r"2\.\.100000$")]},
     **{f"BadBuiltInSceneSeed-{name}": fails(render(f"scene:{name}:seed=0"), rf"seed is '0' in '{name}:seed=0', expected an integer in 1\.\.")
-       for name in BUILT_IN if name != "bottle"},
+       for name in BUILT_IN if name not in ("bottle", "matter")},
     "BadBuiltInSceneSphere": fails(render("scene:smoke:sphere=glass"), r"sphere is 'glass' in 'smoke:sphere=glass', expected one of: opaque, transparent$"),
+    "BadBuiltInSceneMaterials": fails(render("scene:matter:materials=1"), r"materials is '1' in 'matter:materials=1', expected one of: yes, no$"),
     "BadBuiltInSceneLabel": fails(render("scene:bottle:label=1"), r"label is '1' in 'bottle:label=1', expected one of: no, yes$"),
     "BadBuiltInSceneCount": fails(render("scene:spheres:count=0"), r"count is '0' in 'spheres:count=0', expected an integer in 1"),
     "BadDisplay": fails_without_windows(render("ok.vtp"), rf"display ':987' can't be opened, {WITHOUT}", {"DISPLAY": ":987", "PATH": ""}),

@@ -46,6 +46,7 @@ void AddSmoke(const Input& input, const Specification& wanted, Scene& scene);
 void AddParticles(const Input& input, const Specification& wanted, Scene& scene);
 void AddGlasses(const Input& input, const Specification& wanted, Scene& scene);
 void AddBottle(const Input& input, const Specification& wanted, Scene& scene);
+void AddMatter(const Input& input, const Specification& wanted, Scene& scene);
 void AddFoliage(const Input& input, const Specification& wanted, Scene& scene);
 void AddCar(const Input& input, const Specification& wanted, Scene& scene);
 

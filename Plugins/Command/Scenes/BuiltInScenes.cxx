@@ -35,6 +35,8 @@ const BuiltInScene BuiltInScenes[] = {
     AddFoliage },
   { "scene:car", "a car with tinted windows in fog (count=120:seed=1)", { "count", "seed" }, AddCar },
   { "scene:bottle", "a green bottle of red wine, and a glass of it (label=no, or yes)", { "label" }, AddBottle },
+  { "scene:matter", "a glass ball, a frosted globe, a bottle of wine (materials=yes, or no)", { "materials" },
+    AddMatter },
   { "scene:particles", "a fire behind smoke (count=900:seed=1)", { "count", "seed" }, AddParticles },
 };
 }

@@ -11,6 +11,7 @@
 
 #include "vtkMath.h"
 #include "vtkProperty.h"
+#include "vtkTranslucencyMaterial.h"
 #include "vtkVectorOperators.h"
 
 #include <algorithm>
@@ -215,4 +216,60 @@ void AddBottle(const Input& input, const Specification& wanted, Scene& scene)
   scene.Parts.push_back(GlazedPart(input, RedWine, wine, eye, Daylight));
   scene.Parts.push_back(GlazedPart(input, Clear, glass, eye, Daylight));
   Use({ eye, { 0.25, 1.4, 0 }, 25, { { 0.86, 0.84, 0.8 } }, { -0.6, 1, 0.5 }, 0.3 }, scene);
+}
+
+//------------------------------------------------------------------------------
+// What materials do: a ball that refracts and disperses, a frosted globe, and wine that absorbs by its thickness; after
+// figures 1 and 6 of Wavelet Transparency (2021).
+void AddMatter(const Input& input, const Specification& wanted, Scene& scene)
+{
+  const bool plain = wanted.GetChoice("materials", { "yes", "no" }) == "no";
+  const auto add = [&](const char* name, const Mesh& mesh, const Color& transmission)
+  {
+    Part part = MakePart(name, mesh.ToPolyData(true));
+    part.Actor->ForceTranslucentOn();
+    part.Actor->GetProperty()->SetSpecular(0.6);
+    part.Actor->GetProperty()->SetSpecularPower(80);
+    SetLook(part, { { 0, 0, 0 } }, input.Opacity.value_or(1), input.Transmission.value_or(transmission));
+    const auto material = vtkSmartPointer<vtkTranslucencyMaterial>::New();
+    if (!plain)
+    {
+      vtkTranslucencyMaterial::SetMaterial(part.Actor, material);
+    }
+    scene.Parts.push_back(part);
+    return material;
+  };
+  const auto cover = [](const Vertex& vertex)
+  {
+    const bool odd = (static_cast<int>(std::floor(2 * vertex.Place[0] + 0.013)) +
+                       static_cast<int>(std::floor(2 * vertex.Place[1] + 0.013))) %
+        2 !=
+      0;
+    return odd ? Paint{ 0.93, 0.9, 0.84 } : Paint{ 0.25, 0.36, 0.5 };
+  };
+  const vtkVector3d wall[4] = { vtkVector3d(-7, -0.5, -2.5), vtkVector3d(7, -0.5, -2.5), vtkVector3d(7, 6, -2.5),
+    vtkVector3d(-7, 6, -2.5) };
+  scene.Parts.push_back(OpaquePart("wall", Pane(wall, 560, 260).Cover(cover)));
+  const vtkVector3d top[4] = { vtkVector3d(-7, 0, 3), vtkVector3d(7, 0, 3), vtkVector3d(7, 0, -2.5),
+    vtkVector3d(-7, 0, -2.5) };
+  scene.Parts.push_back(
+    OpaquePart("table", Pane(top, 140, 55).Cover([](const Vertex& vertex) { return Wood(vertex.Place, 7); })));
+
+  const auto ball = add("glass ball", Ball(0.8, 160).Move(vtkVector3d(-2, 0.801, 0)), { { 0.98, 1, 0.99 } });
+  ball->SetIndexOfRefraction(1.5);
+  ball->SetDispersion(0.2);
+  ball->SetReflectance(0.04);
+  const auto globe = add("frosted globe", Ball(0.8, 160).Move(vtkVector3d(0, 0.801, -0.2)), { { 0.93, 0.95, 0.97 } });
+  globe->SetIndexOfRefraction(1.05);
+  globe->SetDiffusion(0.09);
+  globe->SetReflectance(0.04);
+  const vtkVector3d place(2, 0.002, 0);
+  const auto bottle = add("bottle", Revolve(Bottle, 128, 4).Move(place), { { 0.86, 0.95, 0.84 } });
+  bottle->SetReflectance(0.04);
+  const auto wine = add("wine", Revolve(WineInBottle, 128, 4).Move(place), { { 1, 1, 1 } });
+  wine->SetAttenuationColor(0.75, 0.06, 0.15);
+  wine->SetAttenuationDistance(0.5);
+  wine->SetIndexOfRefraction(1.33);
+  wine->SetReflectance(0.02);
+  Use({ vtkVector3d(0.2, 2.2, 9), { 0.1, 1.25, 0 }, 25, { { 0.6, 0.65, 0.7 } }, { -0.3, 0.6, 1 }, 0.35 }, scene);
 }
