@@ -61,7 +61,13 @@ void vtkAbsorbancePass::SetBounds(int bounds)
 //------------------------------------------------------------------------------
 void vtkAbsorbancePass::SetPrecision(int precision)
 {
-  vtkTranslucencyOption::SetProperty(this, vtkAbsorbancePass::GetOptions(), "Precision", this->Precision, precision);
+  if (vtkTranslucencyOption::Check(this, vtkAbsorbancePass::GetOptions(), "Precision", precision) &&
+    this->Precision != precision)
+  {
+    this->ReleaseGraphicsResources(nullptr); // what the other one holds
+    this->Precision = precision;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

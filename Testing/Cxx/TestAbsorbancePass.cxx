@@ -514,6 +514,28 @@ TEST_F(TestAbsorbancePassOf, VariableReleasesWhatFixedHolds)
 }
 
 //------------------------------------------------------------------------------
+TEST_F(TestAbsorbancePassOf, EachPrecisionReleasesWhatAnotherHolds)
+{
+  const AnalyticScene scene = RandomLayers(200, 150, 1, 5, 0.1, 0.6);
+  View view(scene);
+  const auto pass = NewTechnique("wavelet", { { "memory", "fixed" } });
+  view.SetPass(pass);
+  const auto bytes = [&](const char* precision)
+  {
+    EXPECT_TRUE(pass->SetOption("precision", precision));
+    view.Render();
+    return pass->GetStatistics()->GetBytes();
+  };
+  const vtkTypeInt64 single = bytes("single");
+  const vtkTypeInt64 half = bytes("half");
+  const vtkTypeInt64 words = bytes("shared-exponent");
+  EXPECT_LT(half, single);
+  EXPECT_EQ(bytes("half"), half);
+  EXPECT_EQ(bytes("shared-exponent"), words);
+  EXPECT_EQ(bytes("single"), single);
+}
+
+//------------------------------------------------------------------------------
 TEST_F(TestAbsorbancePassOf, BadValuesAreErrorsAndChangeNothing)
 {
   vtkNew<vtkFourierOpacityPass> fourier;
