@@ -291,6 +291,28 @@ TEST_F(TestBackground, CostsNothingUntilSomethingIsSet)
 }
 
 //------------------------------------------------------------------------------
+// However many tiles a technique draws.
+TEST_F(TestBackground, IsChangedOnce)
+{
+  Picture pictures[2];
+  int tiles[2];
+  for (const bool limited : { false, true })
+  {
+    BackgroundView view;
+    view.AddWall(-4 * Size, 0, Back, { { 0, 0, 0 } });
+    view.AddWall(0, 4 * Size, Back, Bright);
+    view.AddBall();
+    view.Material->SetIndexOfRefraction(1.2);
+    view.Material->SetDiffusion(0.02);
+    pictures[limited ? 1 : 0] = view.Draw("exact", { { "memory_limit", limited ? "0.05" : "64" } });
+    tiles[limited ? 1 : 0] = view.Pass->GetStatistics()->GetTiles();
+  }
+  EXPECT_EQ(tiles[0], 1);
+  EXPECT_GT(tiles[1], 1);
+  EXPECT_TRUE(pictures[0] == pictures[1]);
+}
+
+//------------------------------------------------------------------------------
 // A mirrored ball is the same ball.
 TEST_F(TestBackground, MirroredBodiesRefractTheSame)
 {
