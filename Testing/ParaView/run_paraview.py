@@ -126,6 +126,17 @@ def run_ranks(programs):
         programs.run_on_ranks(number, "ranks")
 
 
+def run_ranks_round(programs):
+    for number in (1, 2, 4):
+        programs.run_on_ranks(number, "ranks_round")
+
+
+def run_ranks_effects(programs):
+    for number in (1, 2):
+        programs.run_on_ranks(number, "ranks_effects", plugin="none")
+        programs.run_on_ranks(number, "ranks_effects")
+
+
 def run_ranks_differ(programs):
     text = programs.run_on_ranks(2, "ranks_differ", "--symmetric", says=[
         r"ranks draw by different techniques.*\(rank by rank: mlab, additive\).*set TranslucencyTechnique", "went on"])

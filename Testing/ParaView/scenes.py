@@ -34,6 +34,8 @@ RANDOM = numpy.random.RandomState(1)
 COLORS = RANDOM.randint(0, 256, (20, 3))
 OPACITIES = RANDOM.randint(20, 120, 20)  # of 255
 LAYERS = 12  # more than the 4 peels of ParaView reach
+NUMBER = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()  # of ranks
+MOVES = servermanager.vtkSMProxyManager.GetVersionMajor() >= 6  # 5.11 loses what it moves between ranks
 
 # Ranks hold one slab of the layers each, the last one the nearest, in an order that no blending is right with. ParaView cuts the layers
 # between them anew, in the middle of what they are made of: with several squares a layer, that goes through the picture.
@@ -66,6 +68,36 @@ output.VTKObject.SetPolys(cells)
 output.VTKObject.GetCellData().AddArray(rgba)
 """
 
+# Many faint layers across x, of squares of random colours and opacities, as ParaView cuts them between ranks: through the middle of x, and
+# then, with four ranks, through that of y, where they have a gap.
+FAINT_SCRIPT = """
+import random
+from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+ranks = vtkMultiProcessController.GetGlobalController()
+generator = random.Random(1)
+points, cells, rgba = vtkPoints(), vtkCellArray(), vtkUnsignedCharArray()
+rgba.SetName("rgba")
+rgba.SetNumberOfComponents(4)
+for layer in range(48):
+    for y in range(-8, 8):
+        for z in range(-8, 8):
+            color = [*(generator.randrange(256) for _ in range(3)), generator.randrange(2, 16)]
+            owner = (0, layer < 24, 2 * (layer < 24) + (y >= 0))[ranks.GetNumberOfProcesses() // 2]
+            if owner != ranks.GetLocalProcessId():
+                continue
+            cells.InsertNextCell(4)
+            for corner in ((y, z), (y + 1, z), (y + 1, z + 1), (y, z + 1)):
+                gap = 0.02 if y >= 0 else -0.02
+                cells.InsertCellPoint(points.InsertNextPoint(-0.1 * layer, corner[0] / 8 + gap, corner[1] / 8))
+            rgba.InsertNextTuple4(*color)
+output.VTKObject.SetPoints(points)
+output.VTKObject.SetPolys(cells)
+output.VTKObject.GetCellData().AddArray(rgba)
+"""
+
 
 def new_view(kind="RenderView", layers=LAYERS, **arguments):
     return set_up(CreateView(kind), layers, **arguments)
@@ -73,20 +105,24 @@ def new_view(kind="RenderView", layers=LAYERS, **arguments):
 
 def set_up(view, layers=LAYERS, axis=2, squares=1):
     """Layers across an axis, of two times squares squares each way, looked at along it."""
+    colors = [[*map(int, COLORS[i]), int(OPACITIES[i])] for i in range(layers)]
+    show(view, LAYERS_SCRIPT.format(colors=colors, axis=axis, squares=squares))
+    look_at_layers(view, axis)
+    return view
+
+
+def show(view, script):
+    """Shows what a script makes, in the colours that it gives."""
     view.ViewSize = [SIZE, SIZE]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [part / 255 for part in BACKGROUND]
     view.UseFXAA = 0
-    colors = [[*map(int, COLORS[i]), int(OPACITIES[i])] for i in range(layers)]
-    source = ProgrammableSource(OutputDataSetType="vtkPolyData", Script=LAYERS_SCRIPT.format(colors=colors, axis=axis, squares=squares))
-    display = Show(source, view)
+    display = Show(ProgrammableSource(OutputDataSetType="vtkPolyData", Script=script), view)
     display.ColorArrayName = ["CELLS", "rgba"]
     display.MapScalars = 0
     display.Ambient, display.Diffuse, display.Specular = 1, 0, 0
     Render(view)
-    look_at_layers(view, axis)
-    return view
 
 
 def look_at_layers(view, axis=2):
@@ -311,33 +347,96 @@ def screenshots(folder):
 
 def ranks(folder):
     """Each rank draws a part of the picture, or of what lies behind the other's: that depends on the axis across which ParaView cuts."""
-    number = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
-    axes = range(3)
-    if servermanager.vtkSMProxyManager.GetVersionMajor() < 6:  # loses what it moves between ranks: two ranks have what they draw along x
-        axes = [0] if number <= 2 else []
+    axes = range(3) if MOVES else [0] if NUMBER <= 2 else []  # two ranks have what they draw along x
     for axis in axes:
         view = new_view(axis=axis, squares=4)
         for technique in ("exact", "adaptive"):
             view.TranslucencyTechnique = technique
             picture = draw(view)
-            what = f"{technique} on {number} ranks along {'xyz'[axis]}"
+            what = f"{technique} on {NUMBER} ranks along {'xyz'[axis]}"
             expect_near(picture, over()[0], 2, what)
             # A pixel of a cut may be drawn by both.
-            assert 0 <= view.TranslucencyFragments - LAYERS * SIZE * SIZE <= 2 * LAYERS * SIZE * number, view.TranslucencyFragments
+            assert 0 <= view.TranslucencyFragments - LAYERS * SIZE * SIZE <= 2 * LAYERS * SIZE * NUMBER, view.TranslucencyFragments
             if axis == 0:  # the first cut
-                assert view.TranslucencyDeepestPixel <= (LAYERS if number == 1 else LAYERS / 2), view.TranslucencyDeepestPixel
-            name = f"{technique}-{axis}-%d.npy"
-            numpy.save(folder / (name % number), picture)
-            expect_near(picture, numpy.load(folder / (name % 1)), 2, what + ", against one rank")
+                assert view.TranslucencyDeepestPixel <= (LAYERS if NUMBER == 1 else LAYERS / 2), view.TranslucencyDeepestPixel
+            expect_as_one_rank(folder, f"{technique} along {'xyz'[axis]}", picture, 2)
         Delete(view)
+
+
+def new_faint_view(kind="RenderView"):
+    """A view in which three of four ranks lie behind each other in many places."""
+    view = CreateView(kind)
+    show(view, FAINT_SCRIPT)
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = [-2.4, 0, 0]
+    view.CameraPosition = [2, 2, 0.5]
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraParallelScale = 0.6
+    return view
+
+
+def expect_as_one_rank(folder, name, picture, tolerance):
+    numpy.save(folder / f"{name} {NUMBER}.npy", picture)
+    expect_near(picture, numpy.load(folder / f"{name} 1.npy"), tolerance, f"{name} on {NUMBER} ranks, against one")
+
+
+def ranks_round(folder):
+    """What is rounded before the ranks' parts are together adds up."""
+    view = new_faint_view()
+    # With samples, the mean of several ranks' edges in a pixel is not quite what the means of each are over each other.
+    for samples, tolerance in ((1, 1), (4, 2)):
+        view.TranslucencySamples = samples
+        for background in (0, 1):
+            view.Background = 3 * [background]
+            expect_as_one_rank(folder, f"{samples} samples on {background}", draw(view), tolerance)
+        found = numpy.array([view.TranslucencyFragments, view.TranslucencyDeepestPixel])
+        numpy.save(folder / f"{samples}-{NUMBER}.npy", found)
+        fragments, deepest = numpy.load(folder / f"{samples}-1.npy")
+        assert found[0] == fragments, f"{found[0]} fragments of the ranks, {fragments} of one"
+        assert NUMBER == 1 or found[1] < 0.6 * deepest, f"no ranks are behind each other: {found[1]} deep, {deepest} one"
+
+
+def ranks_effects(folder):
+    """What ParaView does beside, and what comes and goes: as with one rank, and with the technique None as without the plugin."""
+    view = new_faint_view()
+    if not hasattr(view, "TranslucencyTechnique"):
+        numpy.save(folder / f"stock-{NUMBER}.npy", draw(view))
+        return
+    stock = numpy.load(folder / f"stock-{NUMBER}.npy")
+    for technique in ("exact", "None", "additive", "None", "exact"):
+        view.TranslucencyTechnique = technique
+        if technique == "None":
+            expect_near(draw(view), stock, 0, "None, against ParaView without the plugin")
+        else:
+            expect_as_one_rank(folder, technique, draw(view), 1)
+    other = new_faint_view("RenderViewWithEDL")
+    expect_as_one_rank(folder, "eye-dome lighting", draw(other), 1)
+    expect_as_one_rank(folder, "beside another view", draw(view), 1)
+    Delete(other)
+    for size in ([80, 50], [SIZE, SIZE]):
+        view.ViewSize = size
+        expect_as_one_rank(folder, f"{size[0]} pixels wide", draw(view), 1)
+    view.UseFXAA = 1
+    expect_as_one_rank(folder, "FXAA", draw(view), 1)
+    view.UseFXAA = 0
+    name = str(folder / f"screenshot-{NUMBER}.png")
+    for size in (SIZE, 4 * SIZE):
+        SaveScreenshot(name, view, ImageResolution=[size, size], TransparentBackground=1)
+        picture = read(name)
+        expect_as_one_rank(folder, f"opacity at {size}", picture[..., 3], 2)
+        expect_as_one_rank(folder, f"colour at {size}", picture[..., :3] * picture[..., 3:] // 255, 2)
+    Show(Sphere(Radius=0.3, Center=[-1, 0.2, 0.1]), view)
+    if NUMBER == 1 or MOVES:
+        expect_as_one_rank(folder, "something opaque", draw(view), 2)
 
 
 def ranks_differ(_folder):
     """In pvbatch --symmetric, where each rank sets its own properties. (All have to set some: ParaView itself hangs otherwise.)"""
     view = new_view()
-    view.TranslucencyTechnique = "mlab" if is_root() else "additive"
-    for _ in range(3):
-        Render(view)
+    for root, other in (("mlab", "additive"), ("None", "exact")):  # in the latter one rank would put the parts together by itself
+        view.TranslucencyTechnique = root if is_root() else other
+        for _ in range(3):
+            Render(view)
     view.TranslucencyTechnique = "exact"
     Render(view)
     print("went on", flush=True)

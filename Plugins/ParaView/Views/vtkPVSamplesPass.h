@@ -9,15 +9,15 @@
  * has its delegate draw, and gives colour (the mean of the samples) and depth (of one of them) back. FXAA, which can't
  * read several samples and has no edges to smooth then, has to be off (vtkPVTranslucency sees to it).
  *
- * It takes 8 bytes per sample and pixel.
+ * It takes 8 bytes per sample and pixel, and 12 where a vtkPVRanksPass has the parts of ranks put together.
  */
 #ifndef vtkPVSamplesPass_h
 #define vtkPVSamplesPass_h
 
+#include "vtkPVFramebuffer.h"
+
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
-
-#include <array>
 
 class vtkOpenGLRenderWindow;
 
@@ -45,15 +45,12 @@ private:
   vtkPVSamplesPass(const vtkPVSamplesPass&) = delete;
   void operator=(const vtkPVSamplesPass&) = delete;
 
-  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
-  void Free();
+  unsigned int Allocate(vtkOpenGLRenderWindow* window, int width, int height);
 
   vtkSmartPointer<vtkRenderPass> Delegate;
   int Samples = 1;
-
-  std::array<unsigned int, 3> Allocated{ { 0, 0, 0 } }; // framebuffer, colour, depth
-  std::array<int, 4> Layout{ { 0, 0, 0, 0 } };          // width, height, samples, format of the depths
   bool Warned = false;
+  vtkPVFramebuffer Framebuffer; // in the formats of the one that is bound
 };
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVTranslucency.h"
 
+#include "vtkPVRanksPass.h"
 #include "vtkPVSamplesPass.h"
 #include "vtkTranslucencyFactory.h"
 #include "vtkTranslucencyPass.h"
@@ -83,6 +84,7 @@ struct vtkPVTranslucency::Internals
 
   vtkSmartPointer<vtkRenderPass> Pass;     // null where ParaView draws by itself
   vtkSmartPointer<vtkPVSamplesPass> Steps; // what the view has of it
+  vtkNew<vtkPVRanksPass> Ranks;            // kept, since all ranks have to make its context at the same time
 
   vtkWeakPointer<vtkPVRenderView> View;
   vtkWeakPointer<vtkRenderer> Renderer;
@@ -96,11 +98,16 @@ struct vtkPVTranslucency::Internals
 
   vtkPVSynchronizedRenderer* GetSynchronizer() { return this->View ? ViewWithSynchronizer::Get(this->View) : nullptr; }
 
+  vtkSynchronizedRenderers* GetParallel()
+  {
+    vtkPVSynchronizedRenderer* synchronizer = this->GetSynchronizer();
+    return synchronizer ? synchronizer->GetParallelSynchronizer() : nullptr;
+  }
+
   // Whether each picture is composed of those of several ranks, which all draw at the same time.
   bool DrawsWithOtherRanks()
   {
-    vtkPVSynchronizedRenderer* synchronizer = this->GetSynchronizer();
-    vtkSynchronizedRenderers* parallel = synchronizer ? synchronizer->GetParallelSynchronizer() : nullptr;
+    vtkSynchronizedRenderers* parallel = this->GetParallel();
     vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
     return parallel && parallel->IsA("vtkIceTSynchronizedRenderers") && ranks && ranks->GetNumberOfProcesses() > 1;
   }
@@ -373,11 +380,22 @@ void vtkPVTranslucency::BeginFrame()
   this->PutIn();
   kept.HasUsedFXAA = kept.Renderer->GetUseFXAA();
   kept.Renderer->SetUseFXAA(kept.HasUsedFXAA && !(kept.Steps && kept.Samples > 1));
+  if (kept.DrawsWithOtherRanks())
+  {
+    const int can = vtkPVRanksPass::CanRender(kept.GetParallel(), kept.Renderer, kept.Steps) ? 1 : 0;
+    int allCan = 0;
+    vtkMultiProcessController::GetGlobalController()->AllReduce(&can, &allCan, 1, vtkCommunicator::MIN_OP);
+    if (allCan)
+    {
+      kept.Ranks->PutIn(kept.GetParallel());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPVTranslucency::EndFrame()
 {
+  this->Internal->Ranks->TakeOut();
   this->Internal->Renderer->SetUseFXAA(this->Internal->HasUsedFXAA);
   this->CompareRanks();
 }
