@@ -431,9 +431,9 @@ def ranks_effects(folder):
 
 
 def ranks_differ(_folder):
-    """In pvbatch --symmetric, where each rank sets its own properties. (All have to set some: ParaView itself hangs otherwise.)"""
+    """In pvbatch --symmetric, where each rank sets its own properties. (All have to change some: ParaView itself hangs otherwise.)"""
     view = new_view()
-    for root, other in (("mlab", "additive"), ("None", "exact")):  # in the latter one rank would put the parts together by itself
+    for root, other in (("mlab", "additive"), ("None", "peel")):  # in the latter one rank would put the parts together by itself
         view.TranslucencyTechnique = root if is_root() else other
         for _ in range(3):
             Render(view)

@@ -10,10 +10,11 @@
  * named Translucency... to it.
  *
  * The technique goes below ParaView's camera pass: vtkPVSynchronizedRenderer::SetRenderPass puts it there in a process
- * that draws alone, and below vtkIceTCompositePass where ranks draw together. So what ParaView does above that pass
- * (composition of ranks and tiles, FXAA, tone mapping, eye-dome lighting) goes on, and what the renderer does below it
- * (SSAO, FXAA, volumes, overlays, selection) is done by vtkTranslucencyFactory::CreateSteps. Ray tracing and the
- * drawing of values have passes of their own, which are left alone.
+ * that draws alone, and below vtkIceTCompositePass where ranks draw together, which a vtkPVRanksPass takes the place
+ * of for the frames that it is for, where all ranks agree. So what ParaView does above that pass (composition of ranks
+ * and tiles, FXAA, tone mapping, eye-dome lighting) goes on, and what the renderer does below it (SSAO, FXAA, volumes,
+ * overlays, selection) is done by vtkTranslucencyFactory::CreateSteps. Ray tracing and the drawing of values have
+ * passes of their own, which are left alone.
  */
 #ifndef vtkPVTranslucency_h
 #define vtkPVTranslucency_h
