@@ -12,9 +12,11 @@
 #include "vtkCamera.h"
 #include "vtkFragmentListPass.h"
 #include "vtkFragmentTracePass.h"
+#include "vtkFramebufferPass.h"
 #include "vtkLight.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkStorageCountPass.h"
@@ -113,6 +115,18 @@ vtkOpenGLRenderWindow* Stage::GetOpenGLWindow()
 }
 
 //------------------------------------------------------------------------------
+vtkCamera* Stage::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetCamera(vtkCamera* camera)
+{
+  this->Camera = camera;
+}
+
+//------------------------------------------------------------------------------
 int Stage::Add(const Scene& scene, const TechniqueChoice& technique)
 {
   return this->AddPass(scene, technique, MakePass(technique));
@@ -191,6 +205,29 @@ double Stage::Draw(int technique)
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   this->CheckFrame(this->Players[technique]);
   return elapsed.count();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> Stage::DrawInFloats(int technique)
+{
+  vtkRenderer* renderer = this->Players[technique].Renderer;
+  const vtkSmartPointer<vtkRenderPass> whole = renderer->GetPass();
+  vtkNew<vtkFramebufferPass> floats;
+  floats->SetColorFormat(vtkTextureObject::Float32);
+  floats->SetDelegatePass(whole);
+  renderer->SetPass(floats);
+  this->Draw(technique);
+  const int* size = this->Window->GetSize();
+  constexpr int channels = 4;
+  std::vector<float> pixels(static_cast<std::size_t>(channels) * size[0] * size[1]);
+  unsigned int extent[] = { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) };
+  vtkIdType increments[] = { 0, 0 };
+  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(floats->GetColorTexture()->Download());
+  buffer->Download2D(VTK_FLOAT, pixels.data(), extent, channels, increments);
+  floats->ReleaseGraphicsResources(this->Window);
+  renderer->SetPass(whole);
+  Messages::Get()->ThrowError("the picture can't be read back");
+  return pixels;
 }
 
 //------------------------------------------------------------------------------
