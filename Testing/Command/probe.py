@@ -72,6 +72,18 @@ def probe_approximates(command, folder):
     assert len(lines) == len(report["depths"]) + 1
 
 
+def behind_opaque(command, folder):
+    """A fragment of opacity 1 hides those behind it from a sum that knows of depth, and from no other."""
+    succeeds(command, folder, probe("scene:rectangles:count=100", "--opacity", "1", "--pixel", "20", "15", "--techniques",
+                                    "exact,additive,wavelet:alpha_correction=off", "-o", "out.json"))
+    report = json.loads((folder / "out.json").read_text())
+    assert len(report["fragments"]) > 3 and all(fragment["opacity"] == 1 for fragment in report["fragments"])
+    assert report["exact"][0] == 1 and not any(report["exact"][1:])
+    exact, additive, wavelet = [row["visibility"] for row in report["techniques"]]
+    assert exact == report["exact"] and all(abs(visibility - 1) < 1e-6 for visibility in additive)
+    assert wavelet[0] == 1 and 0 < wavelet[-1] < 1e-3, (wavelet[0], wavelet[-1])
+
+
 def every_technique(command, folder):
     """All techniques have a visibility, which is a number."""
     succeeds(command, folder, probe("ok.vtp", "--pixel", "20", "15", "--depths", "1", "-o", "out.json"))
@@ -87,6 +99,7 @@ CASES = {
     "ProbeParallel": probe_is_exact("scene:rectangles:count=100", (20, 15), 10, 11),
     "ProbePerspective": probe_is_exact("scene:smoke", (20, 15), 4, 6.02),
     "ProbeApproximates": probe_approximates,
+    "ProbeBehindOpaque": behind_opaque,
     "ProbeEveryTechnique": every_technique,
     "BadProbePixel": fails(probe("ok.vtp", "--pixel", "40", "3"), r"pixel is 40 3, expected one of the picture, 0 0 to 39 29"),
     "BadProbePixelNegative": fails(probe("ok.vtp", "--pixel", "0", "-1"), r"pixel is 0 -1, expected one of the picture"),

@@ -62,6 +62,8 @@ vtkSmartPointer<vtkActor> CopyActor(vtkActor* actor)
   auto copy = vtkSmartPointer<vtkActor>::New();
   copy->ShallowCopy(actor);
   copy->SetShaderProperty(actor->GetShaderProperty());
+  copy->SetForceOpaque(actor->GetForceOpaque()); // which the copy leaves out, as the next
+  copy->SetForceTranslucent(actor->GetForceTranslucent());
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->vtkPolyDataMapper::ShallowCopy(
     actor->GetMapper()); // its OpenGL override warns of properties that it copies itself
