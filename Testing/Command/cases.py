@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 
+import probe
 from checks import fails, fails_without_windows, png_size, read_page, run, succeeds, warns, writes_picture
 from inputs import FRAGMENTS, SUFFIXES, trace_binary, trace_csv, write
 
@@ -64,7 +65,7 @@ def schema_is_json(command, folder):
 
 
 def help_teaches(command, folder):
-    for subcommand in [[], ["render"], ["compare"], ["bench"], ["storage"], ["trace"]]:
+    for subcommand in [[], ["render"], ["compare"], ["bench"], ["storage"], ["trace"], ["probe"]]:
         text = succeeds(command, folder, [*subcommand, "--help"], {**os.environ, "DISPLAY": ""})
         assert "xample" in text or "Start with" in text, text
 
@@ -888,3 +889,5 @@ CASES.update({
     "BadHistogramPixels": histogram_fails(put("frames", 0, "pixels", value=[8, 5]), r"frame 0: pixels of 2 fragments is 5, expected 0 to 4"),
     "BadSchemaKind": fails(["schema", "trace"], r"trace not in \{scene,histogram\}"),
 })
+
+CASES.update(probe.CASES)

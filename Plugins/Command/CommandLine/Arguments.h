@@ -27,6 +27,7 @@ enum class Action
   Schema,
   Storage,
   Trace,
+  Probe,
 };
 
 struct Arguments
@@ -58,9 +59,13 @@ struct Arguments
   std::string Measured; ///< a histogram or a trace, if it is not a scene
   vtkStorageAccounting::Settings Storage;
 
+  // probe
+  std::array<int, 2> Pixel{ { 0, 0 } }; ///< from the lower left corner
+  int Depths = 200;                     ///< besides those of the fragments
+
   std::string Schema = "scene"; ///< schema: of which files
 
-  std::string Output; ///< a picture, a trace, a folder or a JSON file; empty for none
+  std::string Output; ///< a picture, a trace, a folder, .json or .csv; empty for none
 
   bool NeedsDisplay = true;
 };

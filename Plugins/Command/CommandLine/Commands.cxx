@@ -12,6 +12,7 @@
 #include "Report/Report.h"
 #include "Scenes/SceneFile.h"
 #include "Study/HistogramFile.h"
+#include "Study/Probe.h"
 #include "Study/StorageReport.h"
 #include "Study/Trace.h"
 #include "TechniqueList.h"
@@ -132,15 +133,20 @@ std::string Contents(const fs::path& file)
   return contents.str();
 }
 
+std::vector<std::string> SourcesOf(const Task& task)
+{
+  std::vector<std::string> sources;
+  std::transform(task.Inputs.begin(), task.Inputs.end(), std::back_inserter(sources),
+    [](const Input& input) { return input.Source; });
+  return sources;
+}
+
 Report StartReport(
   const Task& task, const std::vector<TechniqueChoice>& techniques, const BenchmarkSettings& settings, Stage& stage)
 {
   Report report;
   report.Title = task.Title;
-  for (const Input& input : task.Inputs)
-  {
-    report.Inputs.push_back(input.Source);
-  }
+  report.Inputs = SourcesOf(task);
   report.Size = task.Setting.Size;
   report.Samples = task.Setting.Samples;
   report.Driver = stage.GetDriver();
@@ -317,6 +323,47 @@ void RunTrace(const Arguments& arguments)
   std::cout << Grouped(static_cast<long long>(trace.Frames.front().Fragments.size())) << " fragments\n";
 }
 
+void CheckPixel(const std::array<int, 2>& pixel, const std::array<int, 2>& size)
+{
+  if (pixel[0] < 0 || pixel[0] >= size[0] || pixel[1] < 0 || pixel[1] >= size[1])
+  {
+    throw Failure("pixel is " + std::to_string(pixel[0]) + " " + std::to_string(pixel[1]) +
+      ", expected one of the picture, 0 0 to " + std::to_string(size[0] - 1) + " " + std::to_string(size[1] - 1));
+  }
+}
+
+void RunProbe(const Arguments& arguments)
+{
+  if (!arguments.Output.empty())
+  {
+    CheckProbeSuffix(arguments.Output);
+  }
+  Probe probe;
+  for (const TechniqueChoice& technique : ChooseTechniques(arguments.Techniques, {}))
+  {
+    probe.Rows.push_back({ technique, HelpOf(technique), "", {} });
+  }
+  Task task = MakeTask(arguments);
+  CheckPixel(arguments.Pixel, task.Setting.Size);
+  Stage stage(task.Setting.Size, task.Setting.Samples, !BackgroundOf(task.Setting));
+  ReadParts(task);
+  OutputFiles files;
+  const fs::path file = arguments.Output.empty() ? fs::path() : files.Add(arguments.Output);
+  probe.Title = task.Title;
+  probe.Inputs = SourcesOf(task);
+  probe.Size = task.Setting.Size;
+  probe.Pixel = arguments.Pixel;
+  const auto fragments = TakePixel(TraceScene(task, stage).Frames.front().Fragments, probe.Pixel, task.Title);
+  AddExact(fragments, stage.GetCamera(), arguments.Depths, probe);
+  MeasureRows(fragments, stage.GetCamera(), probe);
+  if (!file.empty())
+  {
+    OutputFiles::Write(file, ToFile(probe, arguments.Output), arguments.Output);
+    files.Commit();
+  }
+  std::cout << ToText(probe);
+}
+
 StorageReport AccountScene(const Arguments& arguments)
 {
   Task task = MakeTask(arguments);
@@ -324,10 +371,7 @@ StorageReport AccountScene(const Arguments& arguments)
   ReadParts(task);
   StorageReport report = AccountStorage(task.Title, { "the frame" }, TraceScene(task, stage), arguments.Storage);
   report.Title = task.Title;
-  for (const Input& input : task.Inputs)
-  {
-    report.Inputs.push_back(input.Source);
-  }
+  report.Inputs = SourcesOf(task);
   return report;
 }
 
@@ -403,6 +447,9 @@ void RunCommand(const Arguments& arguments)
       break;
     case Action::Trace:
       RunTrace(arguments);
+      break;
+    case Action::Probe:
+      RunProbe(arguments);
       break;
   }
 }

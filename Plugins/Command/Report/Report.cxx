@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include <algorithm>
 #include <functional>
 #include <iomanip>
 #include <sstream>
@@ -70,16 +71,6 @@ void Append(std::vector<Column>& columns, const std::vector<Column>& more)
   columns.insert(columns.end(), more.begin(), more.end());
 }
 
-OrderedJson OptionsOf(const TechniqueChoice& choice)
-{
-  OrderedJson options = OrderedJson::object();
-  for (const auto& setting : choice.Settings)
-  {
-    options[setting.first] = setting.second;
-  }
-  return options;
-}
-
 void AddCounts(const FrameStatistics& statistics, OrderedJson& row)
 {
   const bool known = statistics.Known;
@@ -111,11 +102,7 @@ void AddStorage(const std::optional<StorageCounts>& counts, OrderedJson& row)
 OrderedJson RowToJson(const ReportRow& row, bool comparison)
 {
   const Timing& times = row.Times;
-  OrderedJson json;
-  json["technique"] = row.Technique.Label;
-  json["name"] = row.Technique.Name;
-  json["options"] = OptionsOf(row.Technique);
-  json["help"] = row.Help;
+  OrderedJson json = ToJson(row.Technique, row.Help);
   json["milliseconds"] = { { "median", times.Median }, { "lower_quartile", times.LowerQuartile },
     { "upper_quartile", times.UpperQuartile }, { "slowest", times.Slowest }, { "frames", times.Frames },
     { "first", times.First } };
@@ -135,6 +122,46 @@ OrderedJson RowToJson(const ReportRow& row, bool comparison)
   }
   return json;
 }
+}
+
+//------------------------------------------------------------------------------
+std::string Aligned(const std::vector<std::vector<std::string>>& rows)
+{
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows)
+  {
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::ostringstream out;
+  for (const auto& row : rows)
+  {
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ") << std::setw(static_cast<int>(widths[i]))
+          << row[i];
+    }
+    out << "\n";
+  }
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+OrderedJson ToJson(const TechniqueChoice& technique, const std::string& help)
+{
+  OrderedJson options = OrderedJson::object();
+  for (const auto& setting : technique.Settings)
+  {
+    options[setting.first] = setting.second;
+  }
+  OrderedJson json;
+  json["technique"] = technique.Label;
+  json["name"] = technique.Name;
+  json["options"] = options;
+  json["help"] = help;
+  return json;
 }
 
 //------------------------------------------------------------------------------
@@ -183,31 +210,18 @@ std::string ToText(const Report& report)
   {
     out << "differences: to " << report.Reference << "\n";
   }
-  std::vector<std::size_t> widths;
+  std::vector<std::vector<std::string>> rows(report.Rows.size() + 1);
   for (const Column& column : columns)
   {
-    std::size_t width = column.Heading.size();
-    for (const ReportRow& row : report.Rows)
-    {
-      width = std::max(width, column.Cell(row).size());
-    }
-    widths.push_back(width);
+    rows[0].push_back(column.Heading);
+    std::transform(report.Rows.begin(), report.Rows.end(), rows.begin() + 1, rows.begin() + 1,
+      [&column](const ReportRow& row, std::vector<std::string> cells)
+      {
+        cells.push_back(column.Cell(row));
+        return cells;
+      });
   }
-  const auto writeLine = [&](const std::function<std::string(const Column&)>& text)
-  {
-    for (std::size_t i = 0; i < columns.size(); ++i)
-    {
-      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ") << std::setw(static_cast<int>(widths[i]))
-          << text(columns[i]);
-    }
-    out << "\n";
-  };
-  out << "\n";
-  writeLine([](const Column& column) { return column.Heading; });
-  for (const ReportRow& row : report.Rows)
-  {
-    writeLine([&row](const Column& column) { return column.Cell(row); });
-  }
+  out << "\n" << Aligned(rows);
   for (const ReportRow& row : report.Rows)
   {
     const FrameStatistics& statistics = row.Times.Statistics;

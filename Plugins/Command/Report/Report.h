@@ -46,6 +46,12 @@ std::string ToText(const Report& report);
 /// Everything; README.md beside this file says what the keys mean.
 nlohmann::ordered_json ToJson(const Report& report);
 
+/// What JSON says of a technique as it was asked for; help is what it is.
+nlohmann::ordered_json ToJson(const TechniqueChoice& technique, const std::string& help);
+
+/// Rows of cells under headings, the first column to the left, the others to the right.
+std::string Aligned(const std::vector<std::vector<std::string>>& rows);
+
 /// "3,700,000"
 std::string Grouped(long long number);
 

@@ -7,7 +7,6 @@
 #include "Report/Report.h"
 
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace
@@ -46,30 +45,6 @@ void Simulate(const TraceFrame& fragments, const StorageFrame& frame, Progress& 
     }
     CheckSame(where, result.Cost, frame.Costs[i]);
   }
-}
-
-// Rows of cells under headings, the first column to the left, the others to the right.
-std::string Aligned(const std::vector<std::vector<std::string>>& rows)
-{
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows)
-  {
-    for (std::size_t i = 0; i < row.size(); ++i)
-    {
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  }
-  std::ostringstream out;
-  for (const auto& row : rows)
-  {
-    for (std::size_t i = 0; i < row.size(); ++i)
-    {
-      out << (i == 0 ? std::left : std::right) << (i == 0 ? "" : "  ") << std::setw(static_cast<int>(widths[i]))
-          << row[i];
-    }
-    out << "\n";
-  }
-  return out.str();
 }
 
 std::string SectionLengthText(const Accounting::Layout& layout)

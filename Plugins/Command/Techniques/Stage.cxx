@@ -12,9 +12,11 @@
 #include "vtkCamera.h"
 #include "vtkFragmentListPass.h"
 #include "vtkFragmentTracePass.h"
+#include "vtkFramebufferPass.h"
 #include "vtkLight.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkStorageCountPass.h"
@@ -61,7 +63,7 @@ vtkSmartPointer<vtkActor> CopyActor(vtkActor* actor)
   auto copy = vtkSmartPointer<vtkActor>::New();
   copy->ShallowCopy(actor);
   copy->SetShaderProperty(actor->GetShaderProperty());
-  copy->SetForceOpaque(actor->GetForceOpaque());
+  copy->SetForceOpaque(actor->GetForceOpaque()); // which the copy leaves out, as the next
   copy->SetForceTranslucent(actor->GetForceTranslucent());
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->vtkPolyDataMapper::ShallowCopy(
@@ -114,6 +116,18 @@ Stage::~Stage() = default;
 vtkOpenGLRenderWindow* Stage::GetOpenGLWindow()
 {
   return vtkOpenGLRenderWindow::SafeDownCast(this->Window);
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* Stage::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void Stage::SetCamera(vtkCamera* camera)
+{
+  this->Camera = camera;
 }
 
 //------------------------------------------------------------------------------
@@ -199,6 +213,29 @@ double Stage::Draw(int technique)
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   this->CheckFrame(this->Players[technique]);
   return elapsed.count();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> Stage::DrawInFloats(int technique)
+{
+  vtkRenderer* renderer = this->Players[technique].Renderer;
+  const vtkSmartPointer<vtkRenderPass> whole = renderer->GetPass();
+  vtkNew<vtkFramebufferPass> floats;
+  floats->SetColorFormat(vtkTextureObject::Float32);
+  floats->SetDelegatePass(whole);
+  renderer->SetPass(floats);
+  this->Draw(technique);
+  const int* size = this->Window->GetSize();
+  constexpr int channels = 4;
+  std::vector<float> pixels(static_cast<std::size_t>(channels) * size[0] * size[1]);
+  unsigned int extent[] = { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) };
+  vtkIdType increments[] = { 0, 0 };
+  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(floats->GetColorTexture()->Download());
+  buffer->Download2D(VTK_FLOAT, pixels.data(), extent, channels, increments);
+  floats->ReleaseGraphicsResources(this->Window);
+  renderer->SetPass(whole);
+  Messages::Get()->ThrowError("the picture can't be read back");
+  return pixels;
 }
 
 //------------------------------------------------------------------------------

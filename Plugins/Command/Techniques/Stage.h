@@ -73,6 +73,11 @@ public:
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
+  /// The camera that scenes are seen by: as the first scene says, unless it was set before. Its clipping range becomes
+  /// that of what is there.
+  vtkCamera* GetCamera();
+  void SetCamera(vtkCamera* camera);
+
   /// One more technique that draws the scene; the number to name it by.
   int Add(const Scene& scene, const TechniqueChoice& technique);
 
@@ -84,6 +89,10 @@ public:
 
   /// Draws a frame and waits for its end; milliseconds. Throws Failure if VTK reported an error.
   double Draw(int technique);
+
+  /// Draws a frame to floats instead of the window: red, green, blue and opacity of each pixel, row by row from the
+  /// lowest.
+  std::vector<float> DrawInFloats(int technique);
 
   /// Draws frames until a technique that chooses among others has come to rest; for all others, none.
   void Settle(int technique);
