@@ -31,9 +31,12 @@ bool vtkTranslucencyOpaqueDepth::Capture()
   this->Reserve(width, height, drawn);
 
   state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, drawn);
-  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->Framebuffer->Bind(GL_FRAMEBUFFER);
   this->Framebuffer->AddDepthAttachment(this->Depth);
+  // Up to OpenGL 4.0 a framebuffer is incomplete that lacks a colour which it is to draw or read.
+  state->vtkglDrawBuffer(GL_NONE);
+  state->vtkglReadBuffer(GL_NONE);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, drawn);
   while (glGetError() != GL_NO_ERROR)
   {
     // an older error is not this copy's
