@@ -172,6 +172,9 @@ def run_gui(programs):
     """paraview goes on after its script: it is ended once that has written what it found."""
     result = programs.folder / "gui.txt"
     result.unlink(missing_ok=True)
+    settings = programs.folder / ".config" / "ParaView" / "ParaView.ini"  # 6.1 welcomes by a window that scripts wait for
+    settings.parent.mkdir(parents=True, exist_ok=True)
+    settings.write_text("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
     script = programs.folder / "gui.py"
     script.write_text(
         f"import sys, pathlib, traceback\nsys.path.insert(0, {str(HERE)!r})\ntext = 'PASSED'\n"
