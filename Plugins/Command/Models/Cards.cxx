@@ -4,6 +4,7 @@
 
 #include "Noise.h"
 #include "Random.h"
+#include "Vectors.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -14,7 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Glaze.h"
 
-#include "vtkVectorOperators.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh.h"
+#include "Vectors.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -10,7 +11,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
 #include <cmath>

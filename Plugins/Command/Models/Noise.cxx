@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Noise.h"
 
-#include "vtkVectorOperators.h"
+#include "Vectors.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, vtkTranslucency contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes.h"
+#include "Vectors.h"
 
 #include "vtkMath.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,11 +8,11 @@
 #include "Models/Glaze.h"
 #include "Models/Random.h"
 #include "Models/Shapes.h"
+#include "Models/Vectors.h"
 
 #include "vtkMath.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
 #include <cmath>

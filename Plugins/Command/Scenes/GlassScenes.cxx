@@ -8,11 +8,11 @@
 #include "Models/Noise.h"
 #include "Models/Random.h"
 #include "Models/Shapes.h"
+#include "Models/Vectors.h"
 
 #include "vtkMath.h"
 #include "vtkProperty.h"
 #include "vtkTranslucencyMaterial.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
 #include <cmath>

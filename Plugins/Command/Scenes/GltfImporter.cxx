@@ -135,7 +135,7 @@ void GltfImporter::ImportActors(vtkRenderer* renderer)
   {
     return; // the superclass has said why
   }
-  const Json materials = ReadDocument(this->FileName).value("materials", Json::array());
+  const Json materials = ReadDocument(this->GetFileName()).value("materials", Json::array());
   for (const auto& [node, actors] : this->Actors)
   {
     const auto& primitives = model->Meshes[model->Nodes[node].Mesh].Primitives;
@@ -150,7 +150,7 @@ void GltfImporter::ImportActors(vtkRenderer* renderer)
         {
           actors[i]->GetProperty()->SetOpacity(color[3]);
         }
-        GltfMaterial(materials[index], this->FileName, index).Apply(actors[i]);
+        GltfMaterial(materials[index], this->GetFileName(), index).Apply(actors[i]);
       }
     }
   }

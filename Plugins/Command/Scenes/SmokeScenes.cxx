@@ -9,10 +9,10 @@
 #include "Models/Noise.h"
 #include "Models/Random.h"
 #include "Models/Shapes.h"
+#include "Models/Vectors.h"
 
 #include "vtkMath.h"
 #include "vtkTexture.h"
-#include "vtkVectorOperators.h"
 
 #include <algorithm>
 #include <cmath>
